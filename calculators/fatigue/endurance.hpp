@@ -150,16 +150,19 @@ R_z = "6.3 um"
       Field{&Result::k_e, "k_e", ratio, "reliability factor of Marin's school"},
       Field{&Result::d_e, "d_e", mm, "diameter of the bar that turns and is as highly stressed"},
       Field{&Result::sigma_D, "sigma_D", MPa, "fatigue limit of the part, r = -1, as nominal stress"},
-      Field{&Result::x_d, "x_d", ratio, "d within the range of the size factor: 0 minimum, 1 maximum diameter"}.limit(
-          0, 1 + 1e-9, "d, h"),
-      Field{&Result::x_n, "x_n", ratio, "R_m within the range of the notch sensitivity: 0 minimum, 1 maximum strength"}
+      Field{&Result::x_d, "x_d", ratio,
+            "position of d in the range of the size factor: 0 at its minimum, 1 at its maximum"}
+          .limit(0, 1 + 1e-9, "d, h"),
+      Field{&Result::x_n, "x_n", ratio,
+            "position of R_m in the range of the notch sensitivity: 0 at its minimum, 1 at its maximum"}
           .limit(0, 1, "r_n"),
       Field{&Result::x_r, "x_r", ratio, "0.1 mm over r_n: a sharper notch counts as a crack; own bound"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
       Field{&Result::x_Rz, "x_Rz", ratio, "roughness over 200 um; own bound"}.limit(0, 1, "R_z"),
-      Field{&Result::x_T, "x_T", ratio, "T within the range of the temperature factor: 0 minimum, 1 highest"}.limit(
-          -1e-9, 1 + 1e-9, "T"),
+      Field{&Result::x_T, "x_T", ratio,
+            "position of T in the range of the temperature factor: 0 at its minimum, 1 at its maximum"}
+          .limit(-1e-9, 1 + 1e-9, "T"),
       modulus_over_steel<Result>(&Result::x_E)};
 
   static constexpr std::array rules{

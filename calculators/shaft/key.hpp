@@ -184,7 +184,10 @@ R_e_k = "420 MPa"
       Field{&Result::u_n, "u_n", ratio, "key length / hub length"}.check("l_n"),
       Field{&Result::x_l, "x_l", ratio, "effective key length / shaft diameter (uniform pressure up to 1.3)"}.limit(
           0, 1.3 + 1e-9),
-      Field{&Result::x_d, "x_d", ratio, "position of d in the diameter range of the key section: above 0, up to 1"}
+      Field{&Result::x_d, "x_d", ratio,
+            "position of d in the range of shaft diameters that the key section is made for: above 1 the shaft is too "
+            "large, below 0 "
+            "too small; key = \"?\" finds the section for d"}
           .limit(1e-9, 1 + 1e-9)
           .criterion()
           .where_it_applies(),

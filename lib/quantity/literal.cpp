@@ -108,7 +108,10 @@ Fault wrong_dimension(const Written& w, const Expected& expected) {
   const Kind kind = w.unit.has(Mark::work) ? Kind::energy : Kind::plain;
   Message message = say("'{1}' is {2}, {3} is expected", w.text, named(is, kind), named(wanted, expected.kind));
   if (wanted.is_number()) return refuse(w, std::move(message), say("write the number without a unit"));
-  if (is == wanted * acceleration || wanted == is * acceleration)
+  const bool is_mass_for_force = is == wanted * acceleration || wanted == is * acceleration;
+  if (is_mass_for_force && is == Dimension::of(1, 1, 0))
+    return refuse(w, std::move(message), say("lb is a mass: a torque is written in lbf*ft or lbf*in"));
+  if (is_mass_for_force)
     return refuse(w, std::move(message), say("a force is written in N, kgf or lbf, a mass in kg or lb"));
   return refuse(w, std::move(message), say("write a unit such as {1}", usual_unit(expected)));
 }

@@ -176,11 +176,15 @@ L = "2650 mm"
           Field{&Result::x_dmin, "x_dmin", ratio, "minimum pulley diameter of the section / smaller pulley"}
               .limit(0, 1 + 1e-9)
               .criterion(),
-          Field{&Result::x_d, "x_d", ratio, "smaller pulley in the rated diameter range: 0 minimum, 1 maximum"}.limit(
-              0, 1),
-          Field{&Result::x_n, "x_n", ratio, "speed of the smaller pulley in the rated range: 0 minimum, 1 maximum"}
+          Field{&Result::x_d, "x_d", ratio,
+                "position of the smaller pulley in the rated range of diameters: 0 at its minimum, 1 at its maximum"}
               .limit(0, 1),
-          Field{&Result::x_L, "x_L", ratio, "belt length in the listed range: 0 minimum, 1 maximum"}.limit(0, 1),
+          Field{&Result::x_n, "x_n", ratio,
+                "position of the speed of the smaller pulley in the rated range: 0 at its minimum, 1 at its maximum"}
+              .limit(0, 1),
+          Field{&Result::x_L, "x_L", ratio,
+                "position of the belt length in the listed range: 0 at its minimum, 1 at its maximum"}
+              .limit(0, 1),
           Field{&Result::x_alpha, "x_alpha", ratio, "wrap angle of the smaller pulley / minimum wrap angle"}.limit(1,
                                                                                                                    10),
           Field{&Result::x_v, "x_v", ratio, "belt speed / maximum speed of the section"}.limit(0, 1),

@@ -211,6 +211,7 @@ r_T = 0
   static bool slopes_of_all(const Input& in);
   static FieldFault slope_missing(const Input& in);
   static bool forces_make_torques(const Input& in);
+  static FieldFault other_torque(const Input& in);
   static bool turn_alike(const Input& in);
   static bool discs_are_bodies(const Input& in);
   static FieldFault no_body(const Input& in);
@@ -239,7 +240,7 @@ r_T = 0
       Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "each change of diameter needs a notch", &bare_step},
       Rule<Input>{&slopes_of_all, "supports, seats",
                   "give beta_adm of every bearing or of none, and likewise of the seats", &slope_missing},
-      Rule<Input>{&forces_make_torques, "seats", "F_y x_w must equal the torque T"},
+      Rule<Input>{&forces_make_torques, "seats", "F_y x_w must equal the torque T", &other_torque},
       Rule<Input>{&forces_turn_alike, "seats",
                   "driving and driven components give opposite torques: F_y x_w of a mounted component has the wrong "
                   "sign; give the direction of rotation of gears, turns = \"cw\""},

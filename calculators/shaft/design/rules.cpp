@@ -264,6 +264,22 @@ bool Design::forces_make_torques(const Input& in) {
   return true;
 }
 
+/// The first component at the first position where its forces make another torque.
+FieldFault Design::other_torque(const Input& in) {
+  for (std::size_t i = 0; i < positions_of(in); ++i) {
+    const auto seat = std::ranges::find_if(in.seats, [&](const Seat& s) { return !makes_its_torque(s, i); });
+    if (seat == in.seats.end()) continue;
+    const Moment made = abs(seat->F_y.at(i) * seat->x_w), T = is_set(seat->T) ? abs(seat->T.at(i)) : 0.0 * N_m.one;
+    return {place_of("seats", in.seats, static_cast<std::size_t>(seat - in.seats.begin()), "F_y"),
+            say("F_y x_w = {1}, but the torque is T = {2}", format_quantity(in_si(made), N_m.symbol, 4),
+                format_quantity(in_si(T), N_m.symbol, 4)),
+            say("x_w is the lever arm of a tooth force F_y: make F_y x_w = T; of a pulley or a sprocket give the pull "
+                "as F_x and "
+                "its torque as T, without F_y and x_w")};
+  }
+  return {};
+}
+
 bool Design::turn_is_known(const Input& in) { return *fault_of_turn(in).key == '\0'; }
 
 FieldFault Design::open_turn(const Input& in) {

@@ -25,10 +25,12 @@ std::vector<std::string> keys_of(const std::vector<Part>& parts) {
 }
 
 /// The fields that a wrong key can have been meant for, with their meanings; or the place where it is valid.
-static Message fields_near(const std::string& key, const std::vector<Part>& parts) {
+static Message fields_near(const Tree::Entry& entry, const std::vector<Part>& parts) {
+  const std::string& key = entry.key;
   std::vector<Known> known;
   Message otherwise;
   for (const Part& part : parts) {
+    if (Message torque = torque_of_power(entry, part.fields); !torque.empty()) return torque;
     if (Message element = element_called(key, part.fields, part.owner); !element.empty()) return element;
     if (otherwise.empty()) otherwise = input_within(key, part.fields);
     for (const FieldInfo& field : part.fields) known.push_back({field.key, field.doc});
@@ -59,7 +61,7 @@ void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, cons
     const FieldInfo* const field = part == parts.end() ? nullptr : find_input(part->fields, entry.key);
     const std::string inner = joined(path, field == nullptr ? entry.key : std::string(field->key));
     if (field == nullptr) {
-      say_at(entry.place, inner, say("'{1}' is not a valid key here", entry.key), fields_near(entry.key, parts),
+      say_at(entry.place, inner, say("'{1}' is not a valid key here", entry.key), fields_near(entry, parts),
              Severity::error, KeyFault::unknown);
       if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
       continue;

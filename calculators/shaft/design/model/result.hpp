@@ -184,17 +184,23 @@ struct Safety {
           .limit(0, 0.5)
           .where_it_applies(),
       Field{&Safety::x_b, "x_b", ratio,
-            "notch height / radius in the range of the K_t fit, bending: 0 minimum, 1 maximum"}
+            "position of h/r, the notch height over the radius, in the range of Peterson's K_t fit in bending (shoulder "
+            "0.1 to 20, "
+            "groove 0.25 to 50): 0 at its minimum, 1 at its maximum; above 1 r is too small"}
           .limit(-1e-9, 1 + 1e-9)
           .where_it_applies(),
       Field{&Safety::x_t, "x_t", ratio,
-            "notch height / radius in the range of the K_ts fit, torsion: 0 minimum, 1 maximum"}
+            "position of h/r, the notch height over the radius, in the range of Peterson's K_ts fit in torsion (shoulder "
+            "0.25 to 4, "
+            "groove 0.25 to 50): 0 at its minimum, 1 at its maximum; above 1 r is too small"}
           .limit(-1e-9, 1 + 1e-9)
           .where_it_applies(),
-      Field{&Safety::x_d, "x_d", ratio, "d in the range of the size factor: 0 minimum, 1 maximum"}
+      Field{&Safety::x_d, "x_d", ratio,
+            "position of d in the range of the size factor: 0 at its minimum, 1 at its maximum"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
-      Field{&Safety::x_n, "x_n", ratio, "R_m in the range of Neuber's constant: 0 minimum, 1 maximum"}
+      Field{&Safety::x_n, "x_n", ratio,
+            "position of R_m in the range of Neuber's constant: 0 at its minimum, 1 at its maximum"}
           .limit(0, 1)
           .where_it_applies(),
       Field{&Safety::x_r, "x_r", ratio,

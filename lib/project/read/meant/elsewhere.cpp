@@ -58,4 +58,12 @@ Message value_within(std::string_view value, const FieldInfo& table, const std::
   return there_is(keys);
 }
 
+Message torque_of_power(const toml::Tree::Entry& entry, std::span<const FieldInfo> fields) {
+  constexpr Dimension power = Dimension::of(2, 1, -3), torque = Dimension::of(2, 1, -2);
+  const FieldInfo* const T = find_field(fields, "T");
+  const auto typed = parse_literal(entry.value.text);
+  if (entry.key != "P" || T == nullptr || T->dimension != torque || !typed || typed->dimension != power) return {};
+  return say("write the torque of the power at its speed: T = \"={1}/(1450 rpm)\"", entry.value.text);
+}
+
 }  // namespace loadpath::project

@@ -4,6 +4,7 @@
 
 #include "lib/calculator/record.hpp"
 #include "lib/text/issue.hpp"
+#include "lib/toml/tree.hpp"
 
 #include <span>
 #include <string>
@@ -21,5 +22,8 @@ Message element_called(std::string_view name, std::span<const FieldInfo> fields,
 /// "write crank = { speed = "180 rpm" }" for crank = "180 rpm": the first quantity of a table's inputs that the value
 /// fits; else the inputs there are.
 Message value_within(std::string_view value, const FieldInfo& table, const std::string& path);
+
+/// "write the torque: T = \"=15 kW/(1450 rpm)\"", for P = "15 kW" where there is a torque T and no power.
+Message torque_of_power(const toml::Tree::Entry& entry, std::span<const FieldInfo> fields);
 
 }  // namespace loadpath::project

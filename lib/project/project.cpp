@@ -19,7 +19,7 @@ bool names_table(const Project& project, const std::string& path) {
   if (project.tables == nullptr) return false;
   const auto referred = project.tables->value_at("tables." + path);
   const std::string_view fault = referred ? std::string_view() : referred.fault().message.id;
-  return !fault.starts_with("unknown tables") && !fault.starts_with("no row") &&
+  return !fault.starts_with("unknown tables") && !fault.starts_with("no {1} '{2}' in the tables") &&
          fault.find("is not a value of a table") == std::string_view::npos;
 }
 

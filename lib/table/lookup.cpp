@@ -107,7 +107,7 @@ Message listing(const Library& library, std::string_view group) {
 
 Fault no_row(std::string_view group, std::string_view name, const std::vector<const Library*>& libraries) {
   const std::u32string wanted = folded(name);
-  const Message message = say("no row '{1}' in the tables of '{2}'", name, group);
+  const Message message = say("no {1} '{2}' in the tables", group, name);
   std::vector<std::string> names;
   for (const Library* library : libraries) {
     const Entry close = last_row(*library, group, [&](const Row& row) { return is_among(row.near, wanted); });

@@ -163,17 +163,21 @@ std::vector<std::string> all_nearest(std::string_view word, const std::vector<st
   const std::u32string exact = code_points(word), wanted = lower(exact);
   const std::size_t reach =
       std::min(std::max<std::size_t>(1, wanted.size() / 3), wanted.size() - (wanted.empty() ? 0 : 1));
-  std::pair best{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+  std::tuple best{most, most, most};
   std::vector<std::string> found;
   for (const std::string& candidate : candidates) {
     const std::u32string points = code_points(candidate);
     const std::size_t longer = std::max(points.size(), wanted.size()), shorter = std::min(points.size(), wanted.size());
     if (longer - shorter > reach) continue;
-    const std::pair pair{distance(wanted, lower(points)), distance(exact, points)};
-    if (pair.first > reach || pair.first > best.first) continue;
-    if (pair.first < best.first) found.clear();
-    found.insert(pair < best ? found.begin() : found.end(), candidate);
-    best = std::min(best, pair);
+    const auto differs = std::ranges::mismatch(exact, points).in1;
+    const auto alike =
+        static_cast<std::size_t>(differs - exact.begin());  // at the beginning: 6208 before 6200 for 62080
+    const std::tuple far{distance(wanted, lower(points)), distance(exact, points), most - alike};
+    if (std::get<0>(far) > reach || std::get<0>(far) > std::get<0>(best)) continue;
+    if (std::get<0>(far) < std::get<0>(best)) found.clear();
+    found.insert(far < best ? found.begin() : found.end(), candidate);
+    best = std::min(best, far);
   }
   return found;
 }

@@ -33,7 +33,7 @@ TEST_SUITE("cli tables") {
     CHECK(table.code == 2);
     CHECK(table.error == "loadpath: unknown table 'matterials'\n  = help: did you mean 'materials'?\n");
     CHECK(row.code == 2);
-    CHECK(row.error == "loadpath: no row 'C54E' in the tables of 'material'\n  = help: did you mean 'C45E'?\n");
+    CHECK(row.error == "loadpath: no material 'C54E' in the tables\n  = help: did you mean 'C45E'?\n");
   }
 
   TEST_CASE("a row, a part of a name, and a folder that is also a series are distinguished") {

@@ -56,7 +56,7 @@ TEST_SUITE("found tables") {
     CHECK(answer("material", "45") == "Steel 45");
     CHECK(answer("material", "17Mn4") == "P295GH");
     CHECK(answer("material", "Ст3") ==
-          "no row 'Ст3' in the tables of 'material' | 'St3sp' comes close and is not the same: name it if it will do");
+          "no material 'Ст3' in the tables | 'St3sp' comes close and is not the same: name it if it will do");
     CHECK(answer("material", "SA-516 Gr. 70")
               .ends_with("'P355GH' comes close and is not the same: name it if it will do"));
   }
@@ -84,8 +84,7 @@ TEST_SUITE("found tables") {
     const std::string own = "[tables.materials.M]\nsource = \"certificate\"\nR_e = \"291 MPa\"\n";
     const auto project = solved_as_found(own + wall("delta = \"10 mm\"\nmaterial = \"M\""));
     CHECK(project.value("wall.sigma_all")->si[0] == doctest::Approx(291e6 / 1.5));
-    CHECK(first_error_of(wall("delta = \"10 mm\"\nmaterial = \"M\""))
-              .starts_with("no row 'M' in the tables of 'material'"));
+    CHECK(first_error_of(wall("delta = \"10 mm\"\nmaterial = \"M\"")).starts_with("no material 'M' in the tables"));
     const auto over =
         solved_as_found("[tables.materials.S235]\nsource = \"test\"\nR_e = \"300 MPa\"\nbecause.R_e = \"heat 4711\"\n" +
                         wall("delta = \"10 mm\"\nmaterial = \"S235\""));
@@ -122,7 +121,7 @@ TEST_SUITE("found tables") {
     CHECK(first_error_of(strut("I_y = '=tables.sections.\"IPE 330\".A'\nE = \"210 GPa\"")).find("is a") !=
           std::string::npos);
     CHECK(first_error_of(strut("I_y = '=tables.sections.\"IPE 331\".I_y'\nE = \"210 GPa\"")) ==
-          "no row 'IPE 331' in the tables of 'section' | did you mean 'IPE 330' or 'IPE 360'?");
+          "no section 'IPE 331' in the tables | did you mean 'IPE 330' or 'IPE 360'?");
     CHECK(first_error_of(strut("I_y = '=tables.sections.\"IPE 330\".I_yy'\nE = \"210 GPa\""))
               .starts_with("the section 'IPE 330' has no value 'I_yy' | did you mean 'I_y"));
     const auto own = solved_as_found("[tables.materials.M]\nsource = \"certificate\"\nE = \"205 GPa\"\n" +

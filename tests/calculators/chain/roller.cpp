@@ -135,6 +135,6 @@ TEST_SUITE("roller chain") {
     says("p = \"25.4 mm\"\na = \"1 m\"\np_adm = \"30 MPa\"\nT_1 = \"5 N*m\"\n", "the pressure needs the bearing area");
     says("p = \"25.4 mm\"\na = \"1 m\"\nS_min = 8\nT_1 = \"5 N*m\"\n", "breaking load of the edition");
     says("p = \"25.4 mm\"\nX = 121\n", "cranked link");
-    says("chain = \"16Z\"\na = \"1 m\"\n", "no row '16Z' in the tables of 'chain'");
+    says("chain = \"16Z\"\na = \"1 m\"\n", "no chain '16Z' in the tables");
   }
 }

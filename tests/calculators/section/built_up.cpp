@@ -140,7 +140,7 @@ TEST_SUITE("section built up") {
     CHECK(fault(of({plate(1, 1, 0, 0), circle})).path == "parts[2].d");
     CHECK(fault(of({circle})).message.text() == "'d' is missing: the shape 'circle' needs it");
     CHECK(fault(of({rolled("IPE 205", 0, 0)})).path == "parts[1].section");
-    CHECK(fault(of({rolled("IPE 205", 0, 0)})).message.text() == "no row 'IPE 205' in the tables of 'section'");
+    CHECK(fault(of({rolled("IPE 205", 0, 0)})).message.text() == "no section 'IPE 205' in the tables");
     CHECK(fault(of({Part{}})).message.text() == "give its 'shape', or name a 'section' of the tables");
     Part both = plate(1, 1, 0, 0);
     both.section = "IPE 200";

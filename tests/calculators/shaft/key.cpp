@@ -107,7 +107,7 @@ TEST_SUITE("key") {
 
   TEST_CASE("what is missing or contradicts is said") {
     check_says("d = \"50 mm\"\nl = \"70 mm\"\n", "give a key: key = \"14x9\", or b, h and t_1");
-    check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x10\"\n", "no row '14x10' in the tables of 'key'");
+    check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x10\"\n", "no key '14x10' in the tables");
     check_says("d = \"50 mm\"\nl = \"12 mm\"\nkey = \"14x9\"\n", "key form A needs l > b");
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nb = \"14 mm\"\nh = \"5 mm\"\nt_1 = \"5.5 mm\"\n",
                "must be less than key height h");

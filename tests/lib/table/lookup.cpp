@@ -126,7 +126,7 @@ TEST_SUITE("table") {
     CHECK(why(misspelt) == "the table 'materials/steel_heat_treatable' has no property 'Re'");
     CHECK(misspelt.fault().hint.text() == "did you mean 'R_e'?");
     const auto unknown = find_row(built_in(), "material", "42CrMo5");
-    CHECK(unknown.fault().message.text() == "no row '42CrMo5' in the tables of 'material'");
+    CHECK(unknown.fault().message.text() == "no material '42CrMo5' in the tables");
     CHECK(unknown.fault().hint.text() == "did you mean '42CrMo4'?");
     CHECK(find_row(built_in(), "material", "unobtainium").fault().hint.text() ==
           "`loadpath tables materials` lists them");

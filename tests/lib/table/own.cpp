@@ -187,7 +187,7 @@ source = "EN 10028-2"
           "tables.sections.\"IPE 330\".I_y");
     CHECK(fault("tables.section_s.M.E") == "unknown tables 'section_s' | did you mean 'sections'?");
     CHECK(fault("tables.sections.\"HEA 155\".A") ==
-          "no row 'HEA 155' in the tables of 'section' | did you mean 'HEA 140' or 'HEA 160'?");
+          "no section 'HEA 155' in the tables | did you mean 'HEA 140' or 'HEA 160'?");
     CHECK(fault("tables.materials.S235.e") == "the material 'S235' has no value 'e' | did you mean 'E'?");
     CHECK(fault("tables.materials.S235.R_e") ==
           "R_e of 'S235' depends on the size, which is not given | name the row in a step, which knows its size: "

@@ -51,7 +51,7 @@ TEST_SUITE("project providers") {
 
   TEST_CASE("a material that does not exist is told with the nearest one, once") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = \"C54E\"\n") ==
-          R"(a.toml:5:13: error: no row 'C54E' in the tables of 'material'
+          R"(a.toml:5:13: error: no material 'C54E' in the tables
 5 | material = "C54E"
   |             ^^^^
   = help: did you mean 'C45E'?

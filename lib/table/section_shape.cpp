@@ -65,6 +65,48 @@ Moments moments_of_walls(const SectionShape& s) {
   return {(s.b * cube(s.h) - inside * cube(clear)) / 12.0, (s.h * cube(s.b) - clear * cube(inside)) / 12.0};
 }
 
+bool is_flanged(const SectionShape& s) { return s.kind == "rolled_I" || s.kind == "welded_I"; }
+
+bool is_open(const SectionShape& s) {
+  return is_flanged(s) || s.kind == "channel" || s.kind == "tee" || s.kind == "angle";
+}
+
+/// The least second moment of two rectangular legs.
+double least_of_legs(const SectionShape& s) {
+  const double t = std::isnan(s.t_w) ? s.t_f : s.t_w, foot = s.b - t;
+  const double A = s.h * t + foot * t, z = (0.5 * s.h * s.h * t + 0.5 * t * foot * t) / A;
+  const double y = (0.5 * t * s.h * t + (t + 0.5 * foot) * foot * t) / A;
+  const double up = 0.5 * s.h - z, low = 0.5 * t - z, near = 0.5 * t - y, far = t + 0.5 * foot - y;
+  const double I_y = t * cube(s.h) / 12.0 + s.h * t * up * up + foot * cube(t) / 12.0 + foot * t * low * low;
+  const double I_z = s.h * cube(t) / 12.0 + s.h * t * near * near + t * cube(foot) / 12.0 + foot * t * far * far;
+  const double I_yz = s.h * t * up * near + foot * t * low * far;
+  return 0.5 * (I_y + I_z) - std::hypot(0.5 * (I_y - I_z), I_yz);
+}
+
+/// Torsion and warping constants, plastic moduli and the least moment, from above. By Cauchy and Schwarz the first
+/// moment of the area about an axis is at most the root of A I.
+std::optional<Misfit> misfit_of_constants(const SectionShape& s) {
+  constexpr double off_centre = 1.15;  // of the axis that halves the area; fillets
+  constexpr double most_twist = 1.3;   // over the strips of an open section, all as thick as its thickest wall
+  const double t = std::fmax(s.t_w, s.t_f), lever = s.h - (std::isnan(s.t_f) ? 0.0 : s.t_f);
+  const double strips = is_open(s) ? most_twist * s.A * t * t / 3.0 : SectionShape::unknown;
+  const double warped = is_flanged(s)         ? 0.25 * s.I_z * lever * lever
+                        : s.kind == "channel" ? 0.25 * s.I_z * s.h * s.h
+                                              : SectionShape::unknown;
+  const double legs = s.kind == "angle" ? least_of_legs(s) : SectionShape::unknown;
+  const std::array bounds{
+      Most{"W_pl_y", "mm^3", s.W_pl_y, off_centre * std::sqrt(s.A * s.I_y), "1.15 times the root of A I_y"},
+      Most{"W_pl_z", "mm^3", s.W_pl_z, off_centre * std::sqrt(s.A * s.I_z), "1.15 times the root of A I_z"},
+      Most{"I_t", "mm^4", s.I_t, s.I_y + s.I_z, "the polar second moment I_y + I_z"},
+      Most{"I_t", "mm^4", s.I_t, strips, "that of the strips of its walls"},
+      Most{"I_w", "mm^6", s.I_w, off_centre * warped, "that of its flanges bent sideways"},
+      Most{"I_min", "mm^4", s.I_min, off_centre * legs, "the least second moment of its legs"}};
+  for (const Most& bound : bounds) {
+    if (bound.value > rounding * bound.most) return misfit(bound);
+  }
+  return std::nullopt;
+}
+
 /// The first wall that is thicker than there is room for.
 std::optional<Misfit> misfit_of_walls(const SectionShape& s) {
   const bool hollow = s.kind == "hot_hollow" || s.kind == "cold_hollow" || s.kind == "welded_box";
@@ -107,7 +149,7 @@ std::optional<Misfit> misfit_of(const SectionShape& s) {
                             Most{"I_z", "mm^4", s.I_z, most_moment * moments.z, "1.15 times that of its walls"}}) {
     if (bound.value > bound.most) return misfit(bound);
   }
-  return std::nullopt;
+  return misfit_of_constants(s);
 }
 
 }  // namespace loadpath::table

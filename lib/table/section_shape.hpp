@@ -16,6 +16,7 @@ struct SectionShape {
   double h = unknown, b = unknown, d = unknown, t_f = unknown, t_w = unknown;
   double A = unknown, I_y = unknown, I_z = unknown;
   std::string kind = {};
+  double I_min = unknown, I_t = unknown, I_w = unknown, W_pl_y = unknown, W_pl_z = unknown;
 };
 
 struct Misfit {

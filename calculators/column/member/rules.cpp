@@ -116,7 +116,10 @@ table::SectionShape shape_of(const Section& in) {
           in_si(in.A),
           in_si(second_moment(in.A, in.I_y, in.i_y)),
           in_si(second_moment(in.A, in.I_z, in.i_z)),
-          word_of(in.kind)};
+          word_of(in.kind),
+          in_si(in.I_min),
+          in_si(in.I_t),
+          in_si(in.I_w)};
 }
 
 }  // namespace

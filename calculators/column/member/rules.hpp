@@ -135,7 +135,7 @@ constexpr auto section_rules() {
                   "give section = \"IPE 200\", or d, or h and b, or A with I_y and I_z", &of<Input, missing>},
       Rule<Input>{&of<Input, fit>, "A, I_y, I_z, i_y, i_z",
                   "I and i of an axis must satisfy I = A i^2; give one of them"},
-      Rule<Input>{&of<Input, &is_one_section>, "A, I_y, I_z, i_y, i_z, h, b, d, t_f, t_w, kind",
+      Rule<Input>{&of<Input, &is_one_section>, "A, I_y, I_z, i_y, i_z, I_min, I_t, I_w, h, b, d, t_f, t_w, kind",
                   "sizes, area and second moments of area must belong to the same section", &of<Input, &two_sections>},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); }, "d_bore, d",
                   "d_bore requires d and must be smaller"},

@@ -237,7 +237,8 @@ class ReductionCheck {
     const std::string own = reduction_of(*step_.input().calculator, operand.path);
     const FieldInfo& field = *operand.leaf.field;
     const bool is_demand = field.is_load || field.dimension == inertia;
-    if (!is_demand || !own.empty() || operand.expression.is_reference()) return false;
+    const bool is_whole = own.empty() || own == "max";  // of a cycle: its middle or amplitude may be a part of it
+    if (!is_demand || !is_whole || operand.expression.is_reference()) return false;
     const auto pair = pair_of(operand);
     if (pair && operand.path == "T" && is_one_of_outputs(step_, project_, shaft_of_torque(pair->path))) return false;
     return pair && std::abs(largest(pair->taken).value) < least_efficiency * std::abs(largest(pair->source).value);

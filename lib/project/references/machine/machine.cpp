@@ -1,10 +1,13 @@
 #include "lib/project/references/machine/machine.hpp"
 
 #include "lib/project/references/machine/chained_drives.hpp"
+#include "lib/project/references/machine/idle_steps.hpp"
 #include "lib/project/references/machine/left_out.hpp"
 #include "lib/project/references/machine/middles.hpp"
+#include "lib/project/references/machine/of_mechanism.hpp"
 #include "lib/project/references/machine/other_steps.hpp"
 #include "lib/project/references/machine/ratings.hpp"
+#include "lib/project/references/machine/repetitions.hpp"
 #include "lib/project/references/machine/same_part.hpp"
 #include "lib/project/references/machine/seats.hpp"
 #include "lib/project/references/machine/unlinked.hpp"
@@ -18,7 +21,8 @@ void check_machine(Step& step, const Project& project) {
        {values_of_runs(step, project), factors_of_takers(step, project), lives_on_shaft(step, project),
         values_of_ratings(step, project), values_at_middle(step), values_of_same_part(step, project),
         powers_of_chained(step, project), values_of_seats(step, project), values_of_unlinked(step, project),
-        values_of_vessels(step, project), loads_left_out(step, project)})
+        values_of_vessels(step, project), loads_left_out(step, project), loads_of_mechanism(step, project),
+        repetitions_of_others(step, project), values_of_idle_steps(step, project)})
     hold_unless_justified(step, contradicted);
 }
 

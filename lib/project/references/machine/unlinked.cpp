@@ -61,46 +61,6 @@ void compare_mate(const Step& step, const Project& project, std::vector<ReducedL
                       mates.front()->name())});
 }
 
-bool is_fatigue_limit(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
-
-/// Whether both are of one material: of the same row, or of the same tensile strength.
-bool is_of_same_material(const Step& one, const Step& other, const Project& project) {
-  const std::string row = material_of(one);
-  if (!row.empty() && row == material_of(other)) return true;
-  return is_alike(own_value(other, project, "R_m"), own_value(one, project, "R_m"), 0.01);
-}
-
-/// Whether a step finds such a fatigue limit and takes none: in torsion that of shear stresses.
-bool finds_limit(const Step& step, std::string_view key) {
-  const Calculator* const calculator = step.input().calculator;
-  if (calculator == nullptr || calculator->result == nullptr || step.input().reading.record.data == nullptr)
-    return false;
-  if (find_field(calculator->result->fields, "sigma_D") == nullptr ||
-      find_field(calculator->input->fields, "sigma_D") != nullptr)
-    return false;
-  const Leaf loading = find_leaf(step.input().reading.record, "loading");
-  return loading && (word_of(loading) == "torsion") == (key == "tau_D");
-}
-
-/// A fatigue limit that is typed, in a file with a step that finds it and whose result nothing takes.
-void compare_limit(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
-  const auto& reading = step.input().reading;
-  for (const char* const key : {"sigma_D", "tau_D"}) {
-    const auto is_taken = [&](const Operand& o) { return o.path == key && !o.expression.references().empty(); };
-    if (!reading.typed.contains(key) || std::ranges::any_of(reading.operands, is_taken) ||
-        !means(*step.input().calculator, key, &is_fatigue_limit))
-      continue;
-    for (const auto& other : project.steps) {
-      const std::string path = other->name() + ".sigma_D";
-      const bool is_used = std::ranges::find(project.references, path) != project.references.end();
-      if (other.get() == &step || is_used || !finds_limit(*other, key) || !is_of_same_material(step, *other, project))
-        continue;
-      found.push_back({key, say("{1} is typed, and no step uses '{2}': write {1} = \"={2}\", or because.{1} = \"...\"",
-                                key, path)});
-    }
-  }
-}
-
 /// A fatigue limit in bending of a stress that is mainly axial: the limit in tension is lower.
 void compare_loading(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   const auto& reading = step.input().reading;
@@ -186,7 +146,6 @@ std::vector<ReducedLoad> values_of_unlinked(const Step& step, const Project& pro
   if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return found;
   compare_load_of_mate(step, project, found);
   compare_mate(step, project, found);
-  compare_limit(step, project, found);
   compare_loading(step, project, found);
   compare_hoist(step, project, found);
   compare_size(step, project, found);

@@ -1,5 +1,5 @@
-// Steps that describe parts of one machine and do not refer to each other: two bearings of a pair, a fatigue limit that
-// is typed in a file with a step that finds it, a motor that runs up without its hoist.
+// Steps that describe parts of one machine and do not refer to each other: two bearings of a pair, a motor that runs up
+// without its hoist.
 #pragma once
 
 #include "lib/project/project.hpp"

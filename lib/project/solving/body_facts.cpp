@@ -189,13 +189,21 @@ bool is_head_on(Step& head, Step& shell) {
          has_ends(shell) && has_equal_radius(head, shell);
 }
 
+/// A head has the pressure of its shell; below a liquid it has more, which is no fault of the shell.
+void add_facts_of_head(Step& head, Step& shell, std::map<Step*, BodyFacts>& facts) {
+  std::map<Step*, BodyFacts> both;
+  add_facts(statements_of({&head, &shell}, "pressure"), both);
+  if (shell.input().reading.typed.contains("h_l")) both.erase(&shell);
+  for (auto& [step, own] : both) facts[step].merge(own);
+}
+
 /// Joined walls have the same medium inside, and a head the pressure of its shell.
 void add_facts_of_vessels(const Project& project, std::map<Step*, BodyFacts>& facts) {
   for (const auto& a : project.steps) {
     for (const auto& b : project.steps) {
       if (a == b) continue;
       if (are_joined(*a, *b)) add_facts(statements_of({a.get(), b.get()}, "allowance"), facts);
-      if (is_head_on(*a, *b)) add_facts(statements_of({a.get(), b.get()}, "pressure"), facts);
+      if (is_head_on(*a, *b)) add_facts_of_head(*a, *b, facts);
     }
   }
 }

@@ -71,6 +71,12 @@ void compare_test(const Step& step, const Project& project, std::vector<ReducedL
   const Step* const tested = project.find(name);
   if (tested == nullptr || tested->input().calculator == nullptr) return;
   const double p_t = own_value(step, project, "p_t"), of_shell = own_value(*tested, project, "p_t");
+  if (std::isnan(p_t) && of_shell > 0.0) {
+    found.push_back({"p_t", say("'{1}' is tested with {2}, and this end is not assessed for it: give p_t, or "
+                                "because.p_t = \"...\"",
+                                name, format_quantity(of_shell, "MPa", 4))});
+    return;
+  }
   if (!(p_t < (1.0 - few_digits) * of_shell)) return;
   found.push_back({"p_t", say("p_t = {1}, and '{2}' is tested with {3}; justify it: because.p_t = \"...\"",
                               format_quantity(p_t, "MPa", 4), name, format_quantity(of_shell, "MPa", 4))});
@@ -86,6 +92,53 @@ void compare_vacuum(const Step& step, const Project& project, std::vector<Reduce
   found.push_back({"delta", say("this step does not refer to '{1}', whose diameter, thickness and allowance it has: "
                                 "give wall = \"={1}.wall\", or because.delta = \"...\" if it is of another vessel",
                                 wall->name())});
+}
+
+/// Whether a step under external pressure takes the record of this wall.
+bool is_assessed_from_outside(const Step& wall, const Project& project) {
+  const std::string record = wall.name() + ".wall";
+  return std::ranges::any_of(project.steps, [&](const auto& step) {
+    return std::ranges::any_of(step->input().reading.records,
+                               [&](const Taken& taken) { return taken.source == record; });
+  });
+}
+
+/// An end of a shell that is assessed under external pressure.
+void compare_end_in_vacuum(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto& records = step.input().reading.records;
+  const auto shell = std::ranges::find(records, "shell", &Taken::path);
+  if (shell == records.end() || is_assessed_from_outside(step, project)) return;
+  const Step* const wall = project.find(split_step(shell->source).first);
+  if (wall == nullptr || !is_assessed_from_outside(*wall, project)) return;
+  found.push_back({"p", say("'{1}' is assessed under external pressure, and this end is not: add a step of "
+                            "vessel.external for it, or because.p = \"...\"",
+                            wall->name())});
+}
+
+/// A wall without the liquid of another one of its vessel: the same [values] give their pressure, or it takes the
+/// record of that shell.
+void compare_liquid(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double g = 9.80665;
+  const auto& own = step.input().reading;
+  const auto typed = own.typed.find("p");
+  if (typed == own.typed.end() || own.typed.contains("rho")) return;
+  const auto shell = std::ranges::find(own.records, "shell", &Taken::path);
+  const std::string of_record = shell == own.records.end() ? "" : split_step(shell->source).first;
+  for (const auto& other : project.steps) {
+    const auto& there = other->input().reading;
+    const auto pressure = there.typed.find("p");
+    if (other.get() == &step || pressure == there.typed.end() || !there.typed.contains("h_l")) continue;
+    const bool is_shared = !typed->second.shared.empty() && typed->second.shared == pressure->second.shared;
+    if (!is_shared && other->name() != of_record) continue;
+    const double p =
+        own_value(*other, project, "p") + g * own_value(*other, project, "rho") * own_value(*other, project, "h_l");
+    if (!(own_value(step, project, "p") < (1.0 - few_digits) * p)) continue;
+    found.push_back(
+        {"p", say("'{1}' holds a liquid, with {2} at its lowest point: give rho and h_l, the pressure there as "
+                  "p, or because.p = \"above the liquid\"",
+                  other->name(), format_quantity(p, "MPa", 4))});
+    return;
+  }
 }
 
 /// The allowable stress of a wall whose material is that of the end that takes its record.
@@ -116,6 +169,8 @@ std::vector<ReducedLoad> values_of_vessels(const Step& step, const Project& proj
   compare_share(step, project, found);
   compare_test(step, project, found);
   compare_vacuum(step, project, found);
+  compare_end_in_vacuum(step, project, found);
+  compare_liquid(step, project, found);
   compare_wall(step, project, found);
   return found;
 }

@@ -232,7 +232,7 @@ TEST_SUITE("report of one machine") {
   TEST_CASE("one step with few formulas is one page") {
     const Document document = brief_of(solved("line-shaft"));
     REQUIRE(document.pages.size() == 1);
-    CHECK(panel_of(document, "Line shaft: angle of twist per length") != nullptr);
+    CHECK(panel_of(document, "Line shaft: angle of twist per unit length") != nullptr);
   }
 
   TEST_CASE("a formula set is printed once: the second bearing has its numbers only") {

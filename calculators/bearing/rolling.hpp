@@ -368,7 +368,7 @@ s_0 = 2
           .judged_by("x_d, x_B, x_r, x_a")
           .wanting("d")
           .special(),
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"film", "lubrication and contamination (a_ISO)", &film_is_given<Input>}.judged_by("x_k").special(),
       Mode<Input>{"heat", "operating temperature and grease life", &unseen<Input>}.special(),
       Mode<Input>{"tilt", "misalignment of the rings", &unseen<Input>}.special().assessed_beside("shaft.design"),

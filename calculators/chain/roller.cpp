@@ -82,7 +82,7 @@ void pulls(const Input& in, Result& r, Tracer& trace) {
   const auto v = is_set(r.v) ? r.v : 0.0 * m_per_s;
   if (!is_set(r.v)) trace.value("v", v, "at rest: no speed is given");
   STEP_TO(r, F_c, in.strands * q * v * v, "centrifugal force, [Chain-laws]");
-  STEP_TO(r, F_f, in.K_f * in.strands * q * g * r.a, "pull by the sag of the slack strand, [Vunivere]");
+  STEP_TO(r, F_f, in.K_f * in.strands * q * g * r.a, "pull due to the sag of the slack strand, [Vunivere]");
   STEP_TO(r, F, in.K_A * F_t + F_c + F_f, "maximum pull; service factor included");
   STEP_TO(r, F_W, in.K_A * F_t + 2.0 * F_f, "both strands, [Vunivere]; the centrifugal force does not load the shafts");
   const Force none = 0.0 * N.one;

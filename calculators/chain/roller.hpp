@@ -201,7 +201,7 @@ P_R = "5.5 kW"
       Field{&Result::T_2, "T_2", N_m, "torque of the driven sprocket, nominal, without losses"}.load().with("F_W"),
       Field{&Result::F_t, "F_t", N, "chain pull, nominal"}.load(),
       Field{&Result::F_c, "F_c", N, "centrifugal force"},
-      Field{&Result::F_f, "F_f", N, "chain pull by sag"},
+      Field{&Result::F_f, "F_f", N, "chain pull due to sag"},
       Field{&Result::F, "F", N, "maximum chain pull: with service factor, centrifugal force and sag"}.holding("K_A"),
       Field{&Result::F_W, "F_W", N, "force on each shaft, along the line of centres"}.load().with("T_1|T_2").holding(
           "K_A"),
@@ -268,7 +268,7 @@ P_R = "5.5 kW"
       Mode<Input>{"ratio", "speed ratio per stage", &always<Input>}.judged_by("i").of_shape(),
       Mode<Input>{"galling", "galling of pins and bushes", &unseen<Input>}.judged_by("u_P").special(),
       Mode<Input>{"sprockets", "sprocket tooth wear", &unseen<Input>}.special(),
-      Mode<Input>{"vibration", "strand vibration by chordal action", &unseen<Input>}.special()};
+      Mode<Input>{"vibration", "strand vibration due to chordal action", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

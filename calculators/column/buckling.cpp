@@ -129,7 +129,7 @@ void slenderness(const Input& in, AxisName axis, Result& r, Tracer& trace) {
   STEP_TO(a, s, beta * in.l, "effective length, [B25]");
   STEP_TO(a, lambda, s / i, "slenderness, [B25]");
   if (is_set(in.E)) {
-    STEP_TO(a, N_cr, pow<2>(pi) * in.E * r.A / pow<2>(lambda), "critical force of the elastic bar, [B25]");
+    STEP_TO(a, N_cr, pow<2>(pi) * in.E * r.A / pow<2>(lambda), "elastic critical (Euler) load, [B25]");
   }
   r.axes.push_back(a);
 }
@@ -260,10 +260,10 @@ Result Buckling::judge(const Input& in, bool is_bent, Tracer& trace) {
   about(AxisName::z);
   r.axis = r.axes[1].lambda >= r.axes[0].lambda ? AxisName::z : AxisName::y;
   const double lambda = r.lambda = std::max(r.axes[0].lambda, r.axes[1].lambda);
-  trace.value("lambda", lambda, "the larger of both axes governs, [B25]");
+  trace.value("lambda", lambda, "the larger of the two axes governs, [B25]");
   if (is_set(in.E)) {
-    STEP_TO(r, sigma_E, pow<2>(pi) * in.E / pow<2>(lambda), "Euler stress, also outside its validity");
-    STEP_TO(r, N_cr, sigma_E * r.A, "minimum critical force of the elastic bar");
+    STEP_TO(r, sigma_E, pow<2>(pi) * in.E / pow<2>(lambda), "Euler stress, shown even where Euler does not apply");
+    STEP_TO(r, N_cr, sigma_E * r.A, "lowest elastic critical (Euler) load");
   }
   const Method by = method_of(in);
   take_limits(in, material, by, r, trace);

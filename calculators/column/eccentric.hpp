@@ -75,11 +75,11 @@ void sum_up_offset(const BucklingInput& in, MemberResult& r, Tracer& trace) {
   if (!offset_is_given(in) || !(r.F > 0.0 * kN) || !is_set(in.E)) return;
   const AxisResult &y = r.axes[0], &z = r.axes[1];
   if (is_set(y.sigma_max) && is_set(z.sigma_max)) {
-    r.w = trace.value("w", max(y.w, z.w), "the larger of both axes");
-    r.sigma_max = trace.value("sigma_max", max(y.sigma_max, z.sigma_max), "the larger of both axes");
+    r.w = trace.value("w", max(y.w, z.w), "the larger of the two axes");
+    r.sigma_max = trace.value("sigma_max", max(y.sigma_max, z.sigma_max), "the larger of the two axes");
   }
   if (!is_set(in.R_e)) return;
-  const auto sigma_s = trace.value("sigma_s", min(y.sigma_s, z.sigma_s), "the lower of both axes");
+  const auto sigma_s = trace.value("sigma_s", min(y.sigma_s, z.sigma_s), "the lower of the two axes");
   STEP_TO(r, n_e, sigma_s * r.A / r.F, "force at which the extreme fibre yields / force");
 }
 

@@ -87,7 +87,7 @@ Result EffectiveLength::evaluate(const Input& in, Tracer& trace) {
   STEP_TO(r, beta, pi / u, "the hinged bar that buckles at the same force, [B25]");
   STEP_TO(r, s, beta * in.l, "effective length, [B25]");
   if (!is_set(in.E) || !is_set(in.I)) return r;
-  STEP_TO(r, N_cr, pow<2>(pi) * in.E * in.I / pow<2>(s), "critical force of the elastic bar, [B25]");
+  STEP_TO(r, N_cr, pow<2>(pi) * in.E * in.I / pow<2>(s), "elastic critical (Euler) load, [B25]");
   return r;
 }
 

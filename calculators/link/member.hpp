@@ -209,9 +209,9 @@ S = 1.5
           .left_to("fatigue.cycle", "cycle.fatigue")
           .or_counted_by("fatigue.history", "sigma_o, sigma_u")
           .in_service(),
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"inertia", "inertia forces of a link without mass", &without_mass}.judged_by("x_m"),
-      Mode<Input>{"weight", "bending by self-weight", &unseen<Input>}.special()};
+      Mode<Input>{"weight", "bending due to self-weight", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -139,11 +139,11 @@ S = 2
 
   static constexpr std::array meanings{Meaning{"R_e", yield_strength}};
   static constexpr std::array modes{
-      Mode<Input>{"strength", "yielding by rotation", &always<Input>}.judged_by("u_v, x_b").wanting("S, R_e"),
+      Mode<Input>{"strength", "yielding due to rotation", &always<Input>}.judged_by("u_v, x_b").wanting("S, R_e"),
       Mode<Input>{"rim", "forces of blades or segments at the rim", &unseen<Input>}.special(),
       Mode<Input>{"fit", "stress due to a shrink fit at the bore", &unseen<Input>}.special(),
       Mode<Input>{"notches", "stress concentration at holes and keyways", &unseen<Input>}.special(),
-      Mode<Input>{"fatigue", "fatigue by starts and stops", &unseen<Input>}.special(),
+      Mode<Input>{"fatigue", "fatigue due to starts and stops", &unseen<Input>}.special(),
       Mode<Input>{"vibration", "vibration of disc and blades", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special(),
       Mode<Input>{"heat", "thermal stress and creep", &unseen<Input>}.special()};

@@ -155,7 +155,7 @@ tau_adm_1 = "40 MPa"
       Mode<Input>{"shaft_fatigue", "shaft fatigue at the cross hole", &shaft_varies}.in_service().assessed_beside(
           "shaft.design"),
       Mode<Input>{"wall", "hub wall strength at the pin", &unseen<Input>},
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"fretting", "loosening of hub and pin", &unseen<Input>}.special()};
 
   template <class Tracer>

@@ -189,7 +189,7 @@ e_c2 = "35 mm"
       Mode<Input>{"replacing", "serviceability of a replaceable pin", &replaced}.judged_by(
           "u_ms, u_s1, u_s2, u_h1, u_h2"),
       Mode<Input>{"fatigue", "fatigue of pin and plates", &unseen<Input>}.in_service().assessed_beside("fatigue.life"),
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"wear", "wear of pin and bores", &unseen<Input>}.special()};
 
   template <class Tracer>

@@ -216,7 +216,7 @@ p_adm_2 = "100 MPa"
                                                                                      "cheek.net, cheek.shear_out"),
       Mode<Input>{"wall", "strength of the supporting wall", &in_wall},
       Mode<Input>{"oval", "ovalisation of a hollow pin", &bored},
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"locking", "axial retention of the pin", &unseen<Input>}.special()};
 
   template <class Tracer>

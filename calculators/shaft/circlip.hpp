@@ -154,7 +154,7 @@ n = "1500 rpm"
       Mode<Input>{"fatigue", "shaft fatigue at the groove", &varies}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"impact", "impact on the ring", &unseen<Input>}.special(),
       Mode<Input>{"assembly", "ring stress at assembly", &unseen<Input>}.special()};
 

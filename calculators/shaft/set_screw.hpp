@@ -26,7 +26,7 @@ struct SetScrew {
   static constexpr auto title = "Set screw connection";
   static constexpr auto scope =
       "Torque and axial force that one or two set screws transmit by their points, against the safety factors "
-      "recommended by manufacturers from tests; self-loosening by vibration and the indentation of the shaft "
+      "recommended by manufacturers from tests; self-loosening due to vibration and the indentation of the shaft "
       "are not covered.";
   static constexpr auto source = "[SPS]";
   static constexpr auto headline = "{i} x d = {d_s}";
@@ -167,7 +167,7 @@ S = 2
           "a shaft of more than 1000 MPa has some 35 HRC, and a screw 45: give k_H = 0.85"),
       Mode<Input>{"core", "torsional yielding of the shaft", &twisted}.judged_by("u_t"),
       Mode<Input>{"seat", "hub tilting", &unseen<Input>}.by_companions(),
-      Mode<Input>{"loosening", "self-loosening by vibration", &unseen<Input>}.special(),
+      Mode<Input>{"loosening", "self-loosening due to vibration", &unseen<Input>}.special(),
       Mode<Input>{"shaft", "shaft fatigue at the point indentation", &unseen<Input>}.in_service()};
 
   template <class Tracer>

@@ -244,7 +244,7 @@ R_e_2 = "300 MPa"
       overhang<Input>(),
       Mode<Input>{"notch_factors", "notch factors of the splines, shaft fatigue", &low_factors}.advising(
           "give beta_b and beta_t of DIN 743, or their source: accept.notch_factors = \"...\""),
-      Mode<Input>{"burst", "hub bursting by radial flank forces", &unseen<Input>},
+      Mode<Input>{"burst", "hub bursting due to radial flank forces", &unseen<Input>},
       Mode<Input>{"fretting", "fretting of the spline flanks", &unseen<Input>}.special()};
 
   template <class Tracer>

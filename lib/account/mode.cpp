@@ -108,7 +108,7 @@ Message reason(const Mode& mode) {
   if (!mode.wants.empty() && !mode.add.empty()) return say("give {1} (by a step of {2})", mode.wants, mode.add);
   if (!mode.wants.empty()) return say("give {1}", mode.wants);
   if (!mode.judge.empty()) return say("add a step of {1}", mode.judge);
-  if (!mode.use.empty()) return say("replace by a step of {1}", mode.use);
+  if (!mode.use.empty()) return say("replace with a step of {1}", mode.use);
   if (!mode.add.empty()) return say("add a step of {1}", mode.add);
   return say("no calculator assesses it");
 }

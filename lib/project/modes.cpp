@@ -332,7 +332,7 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
   }
   if (info.by_rest && !step.loads().left.empty()) {
     mode.note = *info.use != '\0'
-                    ? say("acting with the load: {1}; replace by a step of {2}, or assess them separately: "
+                    ? say("acting with the load: {1}; replace with a step of {2}, or assess them separately: "
                           "accept.{3} = \"...\"",
                           step.loads().left, info.use, info.id)
                     : say("acting with the load: {1}; assess them separately: accept.{2} = \"...\"", step.loads().left,

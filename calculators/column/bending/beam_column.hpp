@@ -210,8 +210,8 @@ gamma_F = 1
       Mode<Input>{"shear", "shear force in the webs", &bent}.judged_by("x_V"),
       Mode<Input>{"net_section", "net section rupture (holes)", &pulled_at_holes<Input>}.assessed_beside("pin.lug"),
       Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history"),
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
-      Mode<Input>{"weight", "bending by self-weight", &unseen<Input>}.special()};
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"weight", "bending due to self-weight", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

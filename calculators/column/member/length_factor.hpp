@@ -33,7 +33,7 @@ inline double length_factor(Ends ends, Basis basis) {
 inline const char* length_factor_reason(Basis basis) {
   switch (basis) {
     case Basis::exact:
-      return "exact effective length factor of these ends";
+      return "theoretical effective length factor for these end conditions";
     case Basis::text:
       return "as the textbook rounds it, [B25]";
     case Basis::recommended:

@@ -40,9 +40,9 @@ template <class Tracer>
 Stress critical_stress(const Member& in, const Material& material, const MemberResult& r, Method method,
                        Tracer& trace) {
   if (method == Method::secant)
-    return trace.value("sigma_cr", min(r.axes[0].sigma_s, r.axes[1].sigma_s), "the lower of both axes");
+    return trace.value("sigma_cr", min(r.axes[0].sigma_s, r.axes[1].sigma_s), "the lower of the two axes");
   if (method == Method::ec3) {
-    const double chi = trace.value("chi", std::min(r.axes[0].chi, r.axes[1].chi), "the lower of both axes");
+    const double chi = trace.value("chi", std::min(r.axes[0].chi, r.axes[1].chi), "the lower of the two axes");
     return NAMED_STEP("sigma_cr", chi * in.R_e, "EN 1993-1-1 (6.47) without its partial factor, [EN1993-1-1-buckling]");
   }
   return stress_of_slenderness(method, r.lambda, material, trace);

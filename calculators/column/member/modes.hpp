@@ -89,7 +89,7 @@ constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
           "method = secant"),
       Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent<Input, outline_of>}
           .assessed_in("column.beam_column"),
-      Mode<Input>{"lateral", "bending by transverse and inertia loads", &unseen<Input>}
+      Mode<Input>{"lateral", "bending due to transverse and inertia loads", &unseen<Input>}
           .in_service()
           .by_companions()
           .assessed_in("link.member"),
@@ -99,7 +99,7 @@ constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
       Mode<Input>{"net_section", "net section rupture (holes, pins)", &pulled_at_holes<Input>}.assessed_beside(
           "pin.lug"),
       Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history"),
-      Mode<Input>{"weight", "bending by self-weight", &unseen<Input>}.special()};
+      Mode<Input>{"weight", "bending due to self-weight", &unseen<Input>}.special()};
 }
 
 }  // namespace loadpath::column

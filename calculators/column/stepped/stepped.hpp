@@ -123,7 +123,9 @@ n_st = 2.5
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling", &of_walls},
       Mode<Input>{"other_axis", "buckling about the other axis", &about_other_axis}.special(),
       Mode<Input>{"weight", "self-weight", &weighs}.special(),
-      Mode<Input>{"lateral", "bending by eccentric and transverse loads", &unseen<Input>}.in_service().by_companions(),
+      Mode<Input>{"lateral", "bending due to eccentric and transverse loads", &unseen<Input>}
+          .in_service()
+          .by_companions(),
       Mode<Input>{"joint", "strength of the steps and supports", &unseen<Input>},
       Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history")};
 

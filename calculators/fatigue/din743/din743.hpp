@@ -4,7 +4,7 @@
 // and surface treatment leave of the fatigue limit, how much the mean stress takes off it, and both safeties. Steel,
 // not welded, -40 to 150 degC, stresses in phase, loads with their service factors in, 1e7 cycles and more. Tension
 // is positive; in bending and torsion the sign is of no account, for a round section has a fibre of either sign.
-// Not covered: part 4 (finite life, spectra), shear by transverse forces, splines and undercuts (type their beta),
+// Not covered: part 4 (finite life, spectra), shear due to transverse forces, splines and undercuts (type their beta),
 // notch factors of hollow shafts (type them), the cracking of a hard surface layer under the largest load. Recalled:
 // that two keyways count 1.15 in torsion as they do in bending.
 #pragma once
@@ -93,7 +93,7 @@ f_max = 1.8
       Mode<Input>{"yield", "static strength at peak load", &always<Input>}.judged_by("u_F, x_E").wanting("f_max"),
       Mode<Input>{"layer", "cracking of the hardened layer",
                   [](const Input& in) { return where(in.layer == Layer::hard); }},
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"shear", "transverse shear and buckling", &unseen<Input>}.special(),
       Mode<Input>{"surroundings", "corrosion, fretting, temperature and welds", &unseen<Input>}.special()};
 

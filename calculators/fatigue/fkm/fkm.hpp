@@ -5,9 +5,9 @@
 // the four fields and four overload types, what a finite life adds (k = 5, in torsion 8, knee 1e6), and the plastic
 // support of the section. Steel, not welded, up to 100 degC (fine grain 60), stresses in phase, one amplitude.
 // Tension is positive; in bending and torsion the sign has no effect. Not covered: spectra, local stresses, castings,
-// coatings, shear by transverse forces, the crack of a hard layer. Guideline not read: numbers are those of programs
-// and pages that quote it; recalled are size constants of the yield strength, one mean stress for all, both supports
-// in bending, slopes and knee of finite life, q, plastic support by strain, 250 mm, 1050 MPa.
+// coatings, shear due to transverse forces, the crack of a hard layer. Guideline not read: numbers are those of
+// programs and pages that quote it; recalled are size constants of the yield strength, one mean stress for all, both
+// supports in bending, slopes and knee of finite life, q, plastic support by strain, 250 mm, 1050 MPa.
 #pragma once
 
 #include "calculators/fatigue/din743/bounds.hpp"
@@ -81,7 +81,7 @@ f_max = 1.8
       Mode<Input>{"yield", "static strength at peak load", &always<Input>}.judged_by("u_S, x_E").wanting("f_max"),
       Mode<Input>{"layer", "cracking of the hardened layer",
                   [](const Input& in) { return where(in.layer == Layer::hard); }},
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"shear", "transverse shear and buckling", &unseen<Input>}.special(),
       Mode<Input>{"surroundings", "corrosion, fretting, temperature and welds", &unseen<Input>}.special()};
 

@@ -133,11 +133,11 @@ theta_adm = "4 deg/m"
   static constexpr std::array modes{
       Mode<Input>{"yield", "yielding in torsion", &tough}.judged_by("u_tau, e_I, e_W"),
       Mode<Input>{"fracture", "brittle fracture in torsion", &brittle}.judged_by("u_tau, e_I, e_W"),
-      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta, e_I").of_service(),
+      Mode<Input>{"twist", "angle of twist per unit length", &loaded}.judged_by("u_theta, e_I").of_service(),
       Mode<Input>{"corner", "stress concentration at re-entrant corners",
                   [](const Input& in) { return has_inner_corner(in) ? loaded(in) : Applies::no; }},
       Mode<Input>{"warping", "restrained warping stress", &unseen<Input>},
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"fatigue", "fatigue", [](const Input& in) { return shown_by(in.K_A > 1.0); }}.in_service().left_to(
           "fatigue.cycle", "cycle.fatigue")};
 

@@ -155,12 +155,12 @@ theta_adm = "0.5 deg/m"
   static constexpr std::array modes{
       Mode<Input>{"yield", "yielding in torsion", &tough}.judged_by("u_tau, w, w_s"),
       Mode<Input>{"fracture", "brittle fracture in torsion", &brittle}.judged_by("u_tau, w, w_s"),
-      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta, w, w_s").of_service(),
+      Mode<Input>{"twist", "angle of twist per unit length", &loaded}.judged_by("u_theta, w, w_s").of_service(),
       Mode<Input>{"buckling", "shear buckling of walls", &slender},
       Mode<Input>{"corners", "stress concentration at corners, welds, holes", &unseen<Input>},
       Mode<Input>{"warping", "restrained warping stress", &unseen<Input>},
       Mode<Input>{"distortion", "cross-section distortion", &unseen<Input>},
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"fatigue", "fatigue (welds, corners)", [](const Input& in) { return shown_by(in.K_A > 1.0); }}
           .in_service()
           .left_to("fatigue.cycle", "cycle.fatigue")};

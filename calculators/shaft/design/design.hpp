@@ -322,7 +322,7 @@ r_T = 0
       Mode<Input>{"cycles", "fatigue without a fatigue limit (fatigue.life of each section)", &endless}.assessed_beside(
           "fatigue.life"),
       Mode<Input>{"neighbours", "fatigue at interacting notches", &crowds},
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y, s_max").of_service(),
       Mode<Input>{"slope_bearings", "shaft slope at bearings", &loaded}
           .judged_by("bearings.u_beta, s_max")
@@ -332,7 +332,7 @@ r_T = 0
           .judged_by("seats.u_beta, s_max")
           .wanting("seats beta_adm")
           .of_service(),
-      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta, s_max").of_service(),
+      Mode<Input>{"twist", "angle of twist per unit length", &loaded}.judged_by("u_theta, s_max").of_service(),
       Mode<Input>{"critical_bending", "lateral critical speed (whirling)", &running}
           .judged_by("u_n, s_max")
           .wanting("rho, seats mass")
@@ -352,7 +352,7 @@ r_T = 0
                    "bearings.fatigue, bearings.static, bearings.axial, bearings.radial, bearings.ribs, bearings.mate, "
                    "bearings.skidding, bearings.speed")
           .in_service(),
-      Mode<Input>{"weight", "bending by self-weight", &weighed}.wanting("g_angle").special(),
+      Mode<Input>{"weight", "bending due to self-weight", &weighed}.wanting("g_angle").special(),
       Mode<Input>{"wall", "local buckling of thin walls", &thin_wall},
       Mode<Input>{"abutment", "shoulder (abutment) height", &abuts}.judged_by("sections.u_h").of_shape(),
       Mode<Input>{"hub", "keys, splines and press fits", &lacks_connection}

@@ -325,7 +325,7 @@ FieldFault Design::crowd(const Input& in) {
   const auto i = static_cast<std::size_t>(notch - in.notches.data());
   return {place_of("notches", in.notches, i, "x"),
           say("the next notch is nearer than twice the depth or radius: notches are assessed separately"),
-          say("keep them apart, or replace both by one notch: kind = \"given\" with K_t and K_ts of both together")};
+          say("keep them apart, or replace both with one notch: kind = \"given\" with K_t and K_ts of both together")};
 }
 
 bool Design::steps_are_notched(const Input& in) { return bare_step(in).path.empty(); }

@@ -116,7 +116,7 @@ void stress(const Input& in, const Felt& felt, const Notched* notch, Section& p,
        "shear at the neutral axis over the mean shear, from Q S / (I b) of a ring");
   STEP(sigma_f, sqrt(pow<2>(sigma_b + abs(sigma_n)) + 3.0 * tau * tau), "extreme fibre, [Mises]");
   STEP(sigma_q, sqrt(sigma_n * sigma_n + 3.0 * pow<2>(tau + kappa * V / A)), "neutral axis, [Mises]");
-  STEP_TO(p, sigma_v, in.k_max * max(sigma_f, sigma_q), "the larger of both, at the maximum load");
+  STEP_TO(p, sigma_v, in.k_max * max(sigma_f, sigma_q), "the larger of the two, at the maximum load");
   if (!is_set(in.S_F)) return;
   STEP_TO(p, u_v, in.S_F * sigma_v / in.R_e, "yield");
 }

@@ -156,14 +156,14 @@ phi_adm = "1 deg"
   static constexpr std::array modes{
       Mode<Input>{"yield", "yielding in torsion", &tough}.judged_by("u_tau, s_max"),
       Mode<Input>{"fracture", "brittle fracture in torsion", &brittle}.judged_by("u_tau, s_max"),
-      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta").of_service(),
+      Mode<Input>{"twist", "angle of twist per unit length", &loaded}.judged_by("u_theta").of_service(),
       Mode<Input>{"rotation", "rotation of sections", &loaded}.judged_by("u_phi").of_service(),
       Mode<Input>{"ends", "strength of the end supports", &unseen<Input>},
       Mode<Input>{"joint", "shear and slip of sleeve joints",
                   [](const Input& in) { return where(!in.sleeves.empty() && loaded(in) == Applies::yes); }},
       Mode<Input>{"notch", "yielding at steps and notches", &unseen<Input>},
       fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue"),
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"wall", "local buckling of thin walls", &thin},
       Mode<Input>{"critical_torsion", "torsional natural frequency", &unseen<Input>}.in_service()};
 

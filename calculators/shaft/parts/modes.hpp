@@ -42,7 +42,7 @@ constexpr Mode<Input> fatigue_of_shaft() {
 template <class Input, std::size_t judged>
 constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) {
   const std::array common{
-      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions().assessed_in("shaft.design"),
+      Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions().assessed_in("shaft.design"),
       Mode<Input>{"critical_bending", "lateral critical speed (whirling)", &unseen<Input>}.in_service().assessed_in(
           "shaft.design"),
       Mode<Input>{"critical_torsion", "torsional critical speed", &unseen<Input>}.in_service().assessed_in(

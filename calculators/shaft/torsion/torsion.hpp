@@ -188,11 +188,11 @@ theta_adm = "0.004 rad/m"
   static constexpr auto modes = with_modes_of_shafts(std::array{
       Mode<Input>{"yield", "yielding in torsion", &loaded}.judged_by("u_tau").asking(
           "give tau_adm, or S with the yield strength R_e (or a material)"),
-      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta").of_service(),
-      Mode<Input>{"bending", "bending by transverse forces", [](const Input& in) { return shown_by(is_set(in.F)); }}
+      Mode<Input>{"twist", "angle of twist per unit length", &loaded}.judged_by("u_theta").of_service(),
+      Mode<Input>{"bending", "bending due to transverse forces", [](const Input& in) { return shown_by(is_set(in.F)); }}
           .judged_by("F_bend")
           .assessed_in("shaft.design")
-          .advising("replace by a step of shaft.design")
+          .advising("replace with a step of shaft.design")
           .in_service(),
       within_root<Input, &thinnest>(), fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
 

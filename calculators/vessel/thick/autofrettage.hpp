@@ -144,7 +144,7 @@ S = 1.5
       Mode<Input>{"strength", "yielding of the wall in service", &always<Input>}.judged_by("u_p, x_k"),
       Mode<Input>{"reverse", "reverse yielding at the bore after autofrettage", &always<Input>}.judged_by("u_B"),
       Mode<Input>{"ends", "strength of the ends", &has_ends}.of_service(),
-      Mode<Input>{"heat", "relaxation of the residual stresses by heat", &unseen<Input>}.special());
+      Mode<Input>{"heat", "relaxation of the residual stresses due to heat", &unseen<Input>}.special());
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -113,8 +113,8 @@ void equivalent_stresses(const Input& in, State& s, Tracer& trace) {
   const Stress s_1a = at_surface_of("contact_1", s.sigma_1a, s.sigma_z1, s.p_k, in.hypothesis, trace);
   const Stress s_2i = at_surface_of("contact_2", s.sigma_2i, s.sigma_z2, s.p_k, in.hypothesis, trace);
   const Stress s_2a = at_surface_of("outside", s.sigma_2a, s.sigma_z2, none, in.hypothesis, trace);
-  s.sigma_v1 = trace.value("sigma_v1", max(s_1i, s_1a), "inner tube, the larger of both surfaces");
-  s.sigma_v2 = trace.value("sigma_v2", max(s_2i, s_2a), "outer tube, the larger of both surfaces");
+  s.sigma_v1 = trace.value("sigma_v1", max(s_1i, s_1a), "inner tube, the larger of the two surfaces");
+  s.sigma_v2 = trace.value("sigma_v2", max(s_2i, s_2a), "outer tube, the larger of the two surfaces");
 }
 
 template <class Tracer>

@@ -21,7 +21,8 @@ struct Compound {
   static constexpr auto id = "vessel.compound";
   static constexpr auto title = "Compound cylinder (two tubes shrunk together)";
   static constexpr auto scope =
-      "Contact pressure, stresses at rest and under internal pressure, yielding and loss of contact by heating of two "
+      "Contact pressure, stresses at rest and under internal pressure, yielding and loss of contact due to heating of "
+      "two "
       "elastic tubes shrunk together, optimum contact pressure and diameter; slip, ends, nozzles, external pressure "
       "and "
       "fatigue are not covered.";
@@ -217,7 +218,7 @@ S = 1.5
   static constexpr std::array modes =
       modes_of_wall<Input>(Mode<Input>{"inner", "yielding of the inner tube", &always<Input>}.judged_by("u_1"),
                            Mode<Input>{"outer", "yielding of the outer tube", &always<Input>}.judged_by("u_2"),
-                           Mode<Input>{"contact", "loss of contact by heating", &heated}.judged_by("u_U").special(),
+                           Mode<Input>{"contact", "loss of contact due to heating", &heated}.judged_by("u_U").special(),
                            Mode<Input>{"slip", "slip between the tubes", &unseen<Input>}.special(),
                            Mode<Input>{"ends", "strength of the ends", &has_ends}.of_service());
 

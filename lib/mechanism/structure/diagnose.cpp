@@ -112,7 +112,7 @@ Finding singular(const Model& model, const Structure& structure) {
 Finding redundant(const Model& model, const SharedFreedoms& shared) {
   return {Finding::About::joint, shared.joints.front(),
           say("{1}: their reactions are not unique", too_many(model, shared.joints, shared.freedoms)),
-          say("replace one of them by a joint with more freedom, or remove a link that only repeats what others do")};
+          say("replace one of them with a joint with more freedom, or remove a link that only repeats what others do")};
 }
 
 Finding rubs_without_knowing(const Model& model, std::size_t joint) {

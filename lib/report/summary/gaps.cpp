@@ -90,14 +90,14 @@ std::string action_of(const project::Project& project, const Mode& mode) {
     const std::string range = mode.state == State::not_covered ? out_of_range(project, mode) : "";
     const std::string what =
         range.empty() ? say("method not valid").text() : say("method not valid: {1}", range).text();
-    return mode.use.empty() ? what : say("{1}; replace by a step of {2}", what, mode.use).text();
+    return mode.use.empty() ? what : say("{1}; replace with a step of {2}", what, mode.use).text();
   }
   if (waits_for_reason(mode)) return mode.note.text();
   const std::string add = step_to_add(project, mode);
   if (!mode.wants.empty() && add.empty()) return say("give {1}{2}", mode.wants, result_without(project, mode)).text();
   if (!mode.wants.empty()) return say("give {1}, or {2}", mode.wants, add).text();
   if (!add.empty()) return add;
-  if (!mode.use.empty()) return say("replace by a step of {1}", mode.use).text();
+  if (!mode.use.empty()) return say("replace with a step of {1}", mode.use).text();
   return account::reason(mode).text();
 }
 
@@ -140,13 +140,13 @@ void add_hint(const std::string& hint, std::vector<std::string>& hints) {
 /// The modes that a step in place of this one would assess.
 std::string replacing(const project::Project& project, const Modes& modes) {
   constexpr std::size_t most = 3;
-  std::map<std::string, std::vector<std::string>> titles;  // by "shaft.torsion by shaft.design"
+  std::map<std::string, std::vector<std::string>> titles;  // by "shaft.torsion with shaft.design"
   std::string first;
   for (const Mode& mode : modes) {
     const bool waits = mode.state == State::open || mode.state == State::not_judged;
     const project::Step* const step = project.find(mode.step);
     if (!waits || mode.use.empty() || step == nullptr) continue;
-    const std::string key = step->input().calculator->id + std::string(" by ") + mode.use;
+    const std::string key = step->input().calculator->id + std::string(" with ") + mode.use;
     if (first.empty() && mode.state == State::open) first = key;
     std::string title = account::short_title(mode);
     auto& all = titles[key];

@@ -73,9 +73,9 @@ NotConsidered not_considered(const project::Project& project, const account::Mod
 
 /// "crankshaft, crank end: fatigue, bending; key: shear"; steps with different modes are separate.
 std::string modes_text(const Gap& gap);
-/// "95 mm fails: angle of twist per length 1.055".
+/// "95 mm fails: angle of twist per unit length 1.055".
 std::string failure_text(const account::TriedSize& tried);
-/// "angle of twist per length 1.055".
+/// "angle of twist per unit length 1.055".
 std::string failed_mode_text(const account::TriedSize& tried);
 
 /// The subject of the only step's modes; empty if there are several steps, or it is not declared.

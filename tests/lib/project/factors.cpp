@@ -243,9 +243,9 @@ TEST_SUITE("shaft loads") {
     CHECK_MESSAGE(
         contains(
             note,
-            "gears.gear_2.F_z; replace by a step of shaft.design, or assess them separately: accept.other_loads = "),
+            "gears.gear_2.F_z; replace with a step of shaft.design, or assess them separately: accept.other_loads = "),
         note);
-    CHECK(helical.mode("end.other_loads").title.text() == "further load components");
+    CHECK(helical.mode("end.other_loads").title.text() == "other load components");
     const Solved answered(gears + "beta = \"15 deg\"\n" +
                           end("load = \"=gears.gear_2\"\naccept.other_loads = \"F_z d_w/2 is 12 N*m\""));
     CHECK_MESSAGE(answered.mode("end.other_loads").state == State::accepted, answered.errors());

@@ -238,6 +238,6 @@ TEST_SUITE("report of one machine") {
   TEST_CASE("a formula set is printed once: the second bearing has its numbers only") {
     const Document full = report::build(solved("gearbox-shaft"), "loadpath");
     const std::string text = report::markdown(full, "x").text;
-    CHECK(contains(text, "Formulas as for Fixed bearing, 6308, with these numbers:"));
+    CHECK(contains(text, "Formulas as for Locating bearing, 6308, with these numbers:"));
   }
 }

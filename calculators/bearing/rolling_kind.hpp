@@ -57,7 +57,7 @@ enum class Holds { unsaid, radial, both };
 
 constexpr auto choices_of(Holds) {
   return std::array{ChoiceName<Holds>{Holds::unsaid, "", "not stated"},
-                    ChoiceName<Holds>{Holds::radial, "radial", "radial forces: floating bearing"},
+                    ChoiceName<Holds>{Holds::radial, "radial", "radial forces: non-locating bearing"},
                     ChoiceName<Holds>{Holds::both, "both", "radial and axial forces: locating bearing"}};
 }
 

@@ -153,11 +153,11 @@ Characteristics cycle_of(const Given& g, Tracer& trace) {
   return c;
 }
 
-/// The largest stress over the yield strength R_e; of shear stresses by the distortion energy hypothesis.
+/// The largest stress over the yield strength R_e; of shear stresses by the distortion-energy theory.
 template <class Input, class Tracer>
 double part_of_yield(const Input& in, const Characteristics& r, Tracer& trace) {
   STEP(k, in.stress == Stresses::shear ? sqrt(3.0) : 1.0,
-       in.stress == Stresses::shear ? "shear by the distortion energy hypothesis, [Mises]" : "normal");
+       in.stress == Stresses::shear ? "shear by the distortion-energy theory, [Mises]" : "normal");
   return NAMED_STEP("u_y", k * max(abs(r.sigma_max), abs(r.sigma_min)) / in.R_e, "no yielding at the first load");
 }
 

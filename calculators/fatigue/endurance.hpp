@@ -136,8 +136,8 @@ R_z = "6.3 um"
 
   static constexpr Fields results{
       Field{&Result::sigma_m1, "sigma_m1", MPa, "fatigue limit of the smooth specimen; shear in torsion"},
-      Field{&Result::sigma_low, "sigma_low", MPa, "lower end of the rule's band"},
-      Field{&Result::sigma_high, "sigma_high", MPa, "upper end of the rule's band"},
+      Field{&Result::sigma_low, "sigma_low", MPa, "lower bound of the rule"},
+      Field{&Result::sigma_high, "sigma_high", MPa, "upper bound of the rule"},
       Field{&Result::N_0, "N_0", ratio, "number of cycles of the limit (conventional for non-ferrous metals)"},
       Field{&Result::K_f, "K_f", ratio, "fatigue notch factor"},
       Field{&Result::epsilon, "epsilon", ratio, "size factor of Serensen's school"},

@@ -104,9 +104,9 @@ void estimate(const EnduranceTypes::Input& in, EnduranceTypes::Result& r, Tracer
       in.rule == EnduranceTypes::RuleOf::shigley
           ? NAMED_STEP("R_cap", min(in.R_m, 1400.0 * MPa), "tensile strength that the rule counts, [Shigley6] (6-8)")
           : NAMED_STEP("R_cap", in.R_m, "tensile strength that the rule counts");
-  STEP_TO(r, sigma_low, f_low * R_cap, "lower end of the rule's band");
-  STEP_TO(r, sigma_high, f_high * R_cap, "upper end of the rule's band");
-  STEP_TO(r, sigma_m1, sigma_low, "the lower end, on the safe side");
+  STEP_TO(r, sigma_low, f_low * R_cap, "lower bound of the rule");
+  STEP_TO(r, sigma_high, f_high * R_cap, "upper bound of the rule");
+  STEP_TO(r, sigma_m1, sigma_low, "the lower bound, on the safe side");
 }
 
 }  // namespace loadpath::fatigue

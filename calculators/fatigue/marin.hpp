@@ -50,12 +50,12 @@ double marin_surface(const EnduranceTypes::Input& in, Tracer& trace) {
   if (is_set(in.k_a)) return trace.value("k_a", in.k_a, "surface, as given");
   const bool ninth = in.edition == EnduranceTypes::Edition::ninth;
   const auto [a, b] = ninth ? surface_of_9th(in.finish) : surface_of_11th(in.finish);
-  const char* const why = ninth ? "of the finish, [Shigley6] table 6-2"
-                                : "of the finish, 11th edition: ground as in [Shigley-SM6], the others from memory";
+  const char* const why = ninth ? "for this finish, [Shigley6] table 6-2"
+                                : "for this finish, 11th edition: ground as in [Shigley-SM6], the others from memory";
   trace.value("a", a, why);
   trace.value("b", b, why);
   STEP(k_s, a * pow(in.R_m / MPa, b), "surface, [Shigley6] (6-19)");
-  return NAMED_STEP("k_a", min(k_s, 1.0), "no surface is better than polished");
+  return NAMED_STEP("k_a", min(k_s, 1.0), "capped at 1 (polished surface)");
 }
 
 /// A stationary part has only two highly stressed sides in bending: it is as strong as a thinner rotating bar.

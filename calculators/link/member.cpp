@@ -29,7 +29,7 @@ Area web_area(const Input& in, Area A) {
 template <class Tracer>
 Stress shear_stress(const Input& in, Area A, Tracer& trace) {
   const auto V = trace.value("V", abs(in.V), "magnitude");
-  if (is_set(in.A_v)) return NAMED_STEP("tau", V / in.A_v, "even over the area that carries it");
+  if (is_set(in.A_v)) return NAMED_STEP("tau", V / in.A_v, "uniform over the area that carries it");
   const bool is_massive = in.kind == SectionKind::solid && (is_set(in.d) || (is_set(in.h) && is_set(in.b)));
   const bool is_box = column::is_walled(in) && !is_set(in.d);
   if ((is_set(in.A) || is_box) && !is_massive) {
@@ -51,7 +51,7 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   const auto i_y = trace.value("i_y", r.axes[0].i, "radius of gyration about y");
   const auto c_y = trace.value("c_y", column::extreme_fibre(in, AxisName::y), "extreme fibre from y");
   STEP(W_y, A * pow<2>(i_y) / c_y, "section modulus");
-  STEP_TO(r, sigma_N, N / A, "even over the section");
+  STEP_TO(r, sigma_N, N / A, "uniform over the section");
   STEP(sigma_b, in.M_b / W_y, "extreme fibre, with the sign of the moment");
   STEP_TO(r, sigma_M, abs(sigma_b), "magnitude");
   STEP_TO(r, sigma_o, sigma_N + sigma_b, "stress at the fibre in tension under a positive moment");

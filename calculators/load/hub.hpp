@@ -67,7 +67,7 @@ Applies beyond_root(const Input& in) {
 }
 template <class Input, Length (*thinnest)(const Input&)>
 constexpr auto within_root() {
-  return Mode<Input>{"root", "shaft within root circle and bore of the mounted component",
+  return Mode<Input>{"root", "shaft diameter within bore and root circle of the mounted part",
                      &beyond_root<Input, thinnest>}
       .advising("reduce the diameter, or confirm a shaft that steps down to the component: accept.root = \"...\"");
 }

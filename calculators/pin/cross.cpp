@@ -47,7 +47,7 @@ Cross::Result Cross::evaluate(const Input& in, Tracer& trace) {
   STEP_TO(r, tau, 4.0 * T_d / (pi * pow<2>(in.d) * in.d_w), "two sections at the surface of the shaft, [RM-9]");
   STEP_TO(r, p_1, 6.0 * T_d / (in.d * pow<2>(in.d_w)), "growing from the axis of the shaft as in bending, [RM-9]");
   STEP(s, (in.D - in.d_w) / 2.0, "wall of the hub");
-  STEP_TO(r, p_2, T_d / (in.d * s * (in.d_w + s)), "even over both walls, at their middle, [RM-9]");
+  STEP_TO(r, p_2, T_d / (in.d * s * (in.d_w + s)), "uniform over both walls, at their middle, [RM-9]");
   STEP(W_t, pi / 16.0 * pow<3>(in.d_w) - in.d * pow<2>(in.d_w) / 6.0, "shaft less its cross hole, [DIN743]");
   STEP_TO(r, tau_t, T_d / W_t, "torsion of the shaft, nominal");
   strength(in, r, trace);

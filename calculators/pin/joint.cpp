@@ -54,12 +54,12 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void pressures(const Input& in, Result& r, Tracer& trace) {
   const Force F_d = r.F_d;
-  STEP_TO(r, p_1, F_d / (in.d * in.t_1), "even over the projected bore of the eye");
+  STEP_TO(r, p_1, F_d / (in.d * in.t_1), "uniform over the projected bore of the eye");
   if (in.held == Held::one_side) {
     STEP_TO(r, p_2, F_d / (in.d * in.t_2) + 6.0 * F_d * (in.t_1 / 2.0 + in.c + in.t_2 / 2.0) / (in.d * pow<2>(in.t_2)),
             "at the face of the wall: of the force, and of its moment about the middle of the wall");
   } else {
-    STEP_TO(r, p_2, F_d / (2.0 * in.d * in.t_2), "even over the projected bores of the cheeks");
+    STEP_TO(r, p_2, F_d / (2.0 * in.d * in.t_2), "uniform over the projected bores of the cheeks");
   }
   r.eye = {r.F_d, in.d, in.t_1};
   r.cheek = {0.5 * r.F_d, in.d, in.t_2};

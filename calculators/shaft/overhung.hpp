@@ -163,7 +163,7 @@ tau_adm = "30 MPa"
 
 constexpr auto choices_of(Overhung::Hypothesis) {
   return std::array{
-      ChoiceName<Overhung::Hypothesis>{Overhung::Hypothesis::mises, "mises", "von Mises, distortion energy"},
+      ChoiceName<Overhung::Hypothesis>{Overhung::Hypothesis::mises, "mises", "von Mises, distortion-energy theory"},
       ChoiceName<Overhung::Hypothesis>{Overhung::Hypothesis::tresca, "tresca", "Tresca, maximum shear stress"}};
 }
 

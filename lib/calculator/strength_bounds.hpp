@@ -37,7 +37,7 @@ struct StrengthBound {
   Share share, otherwise;
 };
 
-/// Yield in shear by the distortion energy hypothesis. Fatigue limits of steels are 0.4 to 0.6 R_m in bending, and less
+/// Yield in shear by the distortion-energy theory. Fatigue limits of steels are 0.4 to 0.6 R_m in bending, and less
 /// in tension (recalled); above 0.9 R_e only those of soft steels, whose R_m is 1.5 R_e and more.
 inline constexpr double shear_over_normal = 0.57735026918962576;
 inline constexpr double most_fatigue_limit = 0.6, most_limit_of_yield = 0.9;

@@ -77,7 +77,7 @@ TEST_SUITE("cli init") {
                                    "project.title=Countershaft", "--set", "shaft.supports.left.x=86 mm"});
     CHECK(ran.code == 0);
     CHECK(ran.error.empty());
-    CHECK(contains(ran.out, "\nT = \"80 N*m\"     # torque; of a power and a speed: "));
+    CHECK(contains(ran.out, "\nT = \"80 N*m\"     # torque; from power and speed: "));
     CHECK(contains(ran.out, "\nS_D = 1.6            # required safety factor, fatigue\n"));
     CHECK(contains(ran.out, "\ntitle = \"Countershaft\"\n"));
     CHECK(contains(ran.out, "{ name = \"left\", x = \"86 mm\", "));

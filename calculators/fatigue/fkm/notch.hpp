@@ -60,7 +60,7 @@ Twist fkm_shape(const Din743Section& s, const FkmService& l, const FkmRoot& root
 template <class Tracer>
 double fkm_support_of_size(const Din743Section& s, FkmSteelGroup group, const FkmRoot& root, Stressing kind,
                            Tracer& trace) {
-  if (kind == Stressing::tension) return trace.value("n_d", 1.0, "tension is even over the section");
+  if (kind == Stressing::tension) return trace.value("n_d", 1.0, "tension is uniform over the section");
   const Twist G_d = NAMED_STEP("G_d", 2.0 / s.d, "over the diameter, [FKM] 2.3");
   return fkm_support("n_d", G_d, group, root, trace);
 }

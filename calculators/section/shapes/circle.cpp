@@ -9,9 +9,9 @@ Circle::Result Circle::own(const Input& in, Tracer& trace) {
   const auto& [d] = in;
   Result r = centred();
   STEP_TO(r, A, pi / 4.0 * d * d, "area of a circle");
-  STEP_TO(r, I_y, pi / 64.0 * pow<4>(d), "half the polar second moment, [B19]");
+  STEP_TO(r, I_y, pi / 64.0 * pow<4>(d), "half the polar second moment of area, [B19]");
   STEP_TO(r, I_z, I_y, "every diameter is alike");
-  STEP_TO(r, I_t, pi / 32.0 * pow<4>(d), "polar second moment, exact for circles, [B19]");
+  STEP_TO(r, I_t, pi / 32.0 * pow<4>(d), "polar second moment of area, exact for circles, [B19]");
   STEP_TO(r, W_t, 2.0 * I_t / d, "maximum shear at the surface, [B19]");
   return r;
 }

@@ -117,7 +117,7 @@ SolidTorsion::Result SolidTorsion::evaluate(const Input& in, Tracer& trace) {
   STEP_TO(r, e_I, abs(I_t - I_2) / I_t, "the fine net against it");
   strength(in, nets, r, trace);
   if (is_set(in.G)) {
-    STEP_TO(r, theta, in.K_A * in.T / (in.G * I_t), "twist per length");
+    STEP_TO(r, theta, in.K_A * in.T / (in.G * I_t), "angle of twist per unit length");
     if (is_set(in.theta_adm)) {
       STEP_TO(r, u_theta, abs(theta) / in.theta_adm, "stiffness condition, [B19] (8)");
     }

@@ -75,7 +75,7 @@ theta_adm = "4 deg/m"
                       .usually(least_G, most_G)
                       .from("material", "G")},
            shear_strength_inputs<Input>("d_s"),
-           Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+           Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable angle of twist per unit length"}
                       .positive()
                       .usually(0.02, 10)
                       .may_be_missing()});
@@ -97,13 +97,13 @@ theta_adm = "4 deg/m"
       Field{&Result::d_s, "d_s", mm, "size whose strength the material has: the larger side of a box around it"},
       Field{&Result::tau_max, "tau_max", MPa, "maximum shear stress"},
       Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"},
-      Field{&Result::theta, "theta", deg_per_m, "twist per length, positive like T"},
+      Field{&Result::theta, "theta", deg_per_m, "angle of twist per unit length, positive like T"},
       Field{&Result::e_I, "e_I", ratio, "error estimate of the torsion constant (fine mesh)"}.limit(0, worst_I_t),
       Field{&Result::e_W, "e_W", ratio, "error estimate of the section modulus (fine mesh)"}
           .limit(0, worst_W_t)
           .where_it_applies(),
       Field{&Result::u_tau, "u_tau", ratio, "strength: maximum / allowable shear stress"}.check().where_it_applies(),
-      Field{&Result::u_theta, "u_theta", ratio, "stiffness: twist per length over the allowable one"}.check(
+      Field{&Result::u_theta, "u_theta", ratio, "stiffness: angle of twist per unit length / allowable angle"}.check(
           "theta_adm"),
       Group{&Result::cycle, "cycle", "maximum stress of the section, for fatigue.cycle: cycle"}.handed_over()};
 

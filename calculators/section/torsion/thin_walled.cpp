@@ -120,7 +120,7 @@ ThinWalled::Result ThinWalled::evaluate(const Input& in, Tracer& trace) {
   stresses(in, flows, r, trace);
   thinness(in, r, trace);
   if (is_set(in.G)) {
-    STEP_TO(r, theta, in.K_A * in.T / (in.G * r.I_t), "twist per length");
+    STEP_TO(r, theta, in.K_A * in.T / (in.G * r.I_t), "angle of twist per unit length");
     if (is_set(in.theta_adm)) {
       STEP_TO(r, u_theta, abs(theta) / in.theta_adm, "stiffness condition, [B19] (8)");
     }

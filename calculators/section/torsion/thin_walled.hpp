@@ -77,7 +77,7 @@ theta_adm = "0.5 deg/m"
                       .usually(least_G, most_G)
                       .from("material", "G")},
            shear_strength_inputs<Input>("t_max"),
-           Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+           Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable angle of twist per unit length"}
                       .positive()
                       .usually(0.02, 10)
                       .may_be_missing()});
@@ -92,7 +92,7 @@ theta_adm = "0.5 deg/m"
       Field{&Result::t_max, "t_max", mm, "thickest wall, which the strength of the material belongs to"},
       Field{&Result::tau_max, "tau_max", MPa, "maximum shear stress"},
       Field{&Result::tau_s, "tau_s", MPa, "maximum shear stress of the section slit open"},
-      Field{&Result::theta, "theta", deg_per_m, "twist per length, positive like T"},
+      Field{&Result::theta, "theta", deg_per_m, "angle of twist per unit length, positive like T"},
       Field{&Result::w, "w", ratio, "walls of cells: thickness over 2 A/U of the cell, maximum"}
           .limit(0, thickest_of_cell)
           .where_it_applies(),
@@ -101,7 +101,7 @@ theta_adm = "0.5 deg/m"
           .where_it_applies(),
       Field{&Result::u_tau, "u_tau", ratio, "strength: shear stress / allowable shear stress, maximum of the walls"}
           .check(),
-      Field{&Result::u_theta, "u_theta", ratio, "stiffness: twist per length over the allowable one"}.check(
+      Field{&Result::u_theta, "u_theta", ratio, "stiffness: angle of twist per unit length / allowable angle"}.check(
           "theta_adm"),
       Group{&Result::cycle, "cycle", "maximum stress of the section, for fatigue.cycle: cycle"}.handed_over(),
       ListField{&Result::cells, "cells", "cells"},

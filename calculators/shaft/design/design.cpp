@@ -113,8 +113,8 @@ class Movement {
 
 template <class Tracer>
 void stiffness(const Input& in, Result& r, Tracer& trace) {
-  trace.value("v_max", r.v_max, "maximum of the shaft, with shear");
-  trace.value("theta_max", r.theta_max, "maximum of the shaft");
+  trace.value("v_max", r.v_max, "largest value along the shaft, with shear");
+  trace.value("theta_max", r.theta_max, "largest value along the shaft");
   if (is_set(in.v_adm)) {
     STEP_TO(r, u_y, r.v_max / in.v_adm, "deflection");
   }
@@ -172,7 +172,7 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   }
   movement.finish();
   r.psi = turn.psi(turn.most_bent());
-  if (is_set(r.n)) trace.speed("n", r.n, "of the shaft and all that sits on it");
+  if (is_set(r.n)) trace.speed("n", r.n, "shaft speed");
   if (asks_fatigue(in) && in.group <= fatigue::Endurance::Group::cast_steel)
     compare_with_steel(in.E, r, "the group is one of steels", trace);
   judge_sections(in, elastic->stations, turn, r, trace);

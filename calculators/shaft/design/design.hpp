@@ -328,7 +328,7 @@ r_T = 0
           .judged_by("bearings.u_beta, s_max")
           .wanting("supports beta_adm")
           .of_service(),
-      Mode<Input>{"slope_seats", "shaft slope at gears", &loaded}
+      Mode<Input>{"slope_seats", "shaft slope at mounted components", &loaded}
           .judged_by("seats.u_beta, s_max")
           .wanting("seats beta_adm")
           .of_service(),

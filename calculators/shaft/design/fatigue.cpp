@@ -67,7 +67,7 @@ void weaken(const Input& in, Length d, Length r_n, Safety& s, Tracer& trace) {
   s.x_n = max(bending.x_n, torsion.x_n), s.x_r = bending.x_r;
   s.K_fs = trace.value("K_fs", torsion.K_f, "in torsion, as fatigue.endurance finds it");
   const Stress sigma_D = bending.sigma_D;
-  STEP_TO(s, S_e, s.K_f * sigma_D, "the notch is given with the stresses");
+  STEP_TO(s, S_e, s.K_f * sigma_D, "limit without K_f, which is applied to the stress");
 }
 
 /// The same where the notch factors are known: the limit is that of the part without its notch.
@@ -172,7 +172,7 @@ struct Stresses {
 template <class Tracer>
 Stresses stresses_of(const Input& in, const Section& p, Tracer& trace) {
   STEP(sigma_na, p.sigma_b, "bending alternates as the shaft turns");
-  STEP(sigma_nm, abs(p.sigma_n), "the force along the shaft stays");
+  STEP(sigma_nm, abs(p.sigma_n), "axial force is constant");
   STEP(tau_a, (1.0 - in.r_T) / 2.0 * p.tau, "amplitude of torsion");
   STEP(tau_m, (1.0 + in.r_T) / 2.0 * p.tau, "mean of torsion");
   return {{sigma_na, sigma_nm}, {tau_a, tau_m}};
@@ -285,7 +285,7 @@ class Rating {
 template <class Tracer>
 void tell(const Section& p, Length r_n, bool own, bool turns, Tracer& trace) {
   trace.value("d", p.d, "of the section");
-  trace.value("r_n", r_n, own ? "of the notch" : "0.02 d, of a keyway; of no account without a notch");
+  trace.value("r_n", r_n, own ? "of the notch" : "0.02 d, as of a keyway; no effect without a notch");
   if (!turns) return;
   trace.value("sigma_b", p.sigma_b, "of the section");
   trace.value("sigma_n", p.sigma_n, "of the section");

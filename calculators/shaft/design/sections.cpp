@@ -102,15 +102,15 @@ Sides sides_of(const Input& in, const Stations& stations, std::size_t node) {
 
 template <class Tracer>
 void stress(const Input& in, const Felt& felt, const Notched* notch, Section& p, Tracer& trace) {
-  p.M_x = trace.value("M_x", from_si<Moment>(felt.M_x), "by the elements of the beam");
-  p.M_y = trace.value("M_y", from_si<Moment>(felt.M_y), "the same in the other plane");
+  p.M_x = trace.value("M_x", from_si<Moment>(felt.M_x), "from the beam model");
+  p.M_y = trace.value("M_y", from_si<Moment>(felt.M_y), "same, other plane");
   const Force V = trace.value("V", from_si<Force>(felt.V), "across the shaft, both planes together");
   p.N = trace.value("N", from_si<Force>(felt.N), "axial: resultant of the forces on the left");
   p.T = trace.value("T", from_si<Moment>(felt.T), "torsional: resultant of the torques on the left");
   STEP_TO(p, M, sqrt(p.M_x * p.M_x + p.M_y * p.M_y), "both planes together");
   const auto [A, W, W_t] = moduli_of(p, notch, trace);
   STEP_TO(p, sigma_b, M / W, "extreme fibre");
-  STEP_TO(p, sigma_n, p.N / A, "even over the section");
+  STEP_TO(p, sigma_n, p.N / A, "uniform over the section");
   STEP_TO(p, tau, abs(p.T) / W_t, "at the surface");
   STEP(kappa, 4.0 / 3.0 * (p.d * p.d + p.d * p.d_bore + p.d_bore * p.d_bore) / (p.d * p.d + p.d_bore * p.d_bore),
        "shear at the neutral axis over the mean shear, from Q S / (I b) of a ring");
@@ -135,7 +135,7 @@ Section section_at(const Input& in, const Place& place, const Felt& felt, double
   p.name = there.name, p.x = x, p.psi = psi;
   p.d = sides.thinner().d, p.d_bore = max(sides.left.d_bore, sides.right.d_bore);
   if (there.notch != nullptr && is_groove(there.notch->kind)) p.d -= 2.0 * there.notch->t;
-  trace.value("d", p.d, "the thinner side, of a groove its ground");
+  trace.value("d", p.d, "smaller adjacent diameter (groove: root diameter)");
   trace.value("d_bore", p.d_bore, "bore");
   if (is_set(psi)) trace.angle("psi", psi, "angle of maximum load");
   stress(in, felt, there.notch, p, trace);

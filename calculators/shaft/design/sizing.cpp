@@ -239,8 +239,8 @@ Message Design::unsound(const Input& in, std::span<const Sought> sought, std::si
     if (joint.tied && step > one_place * own)
       return say("nothing is cut at {1}: it is one cylinder with the {2} beyond", format(joint.x), format(beyond));
     if (joint.steps() && step < (1.0 - one_place) * joint.least)
-      return say("the shoulder at {1} would be {2} high; its fillet, or the abutting part, requires {3}",
-                 format(joint.x), format(step / 2.0), format(joint.least / 2.0));
+      return say("at {1} the shoulder height would be {2}; its fillet or the abutting part needs {3}", format(joint.x),
+                 format(step / 2.0), format(joint.least / 2.0));
     const Length passed = max(beyond + joint.least * (1.0 - one_place), trial.over(k));
     if (!joint.tied && trial.away(i) < trial.away(k) && own < passed)
       return say("a component mounted there cannot be pushed over the {1} beyond {2}", format(trial.over(k)),

@@ -44,15 +44,15 @@ Harmonic harmonic_of(const Input& in, const beam::Swing& swing, const Order& ord
   o.name = order.name, o.h = trace.value("h", order.h, "times in a turn");
   const std::size_t count = std::max<std::size_t>(swing.below(order.h * in_si(n)), 1);  // rigid-body rotation
   const AngularSpeed above = count == 1 ? r.n_T : from_si<AngularSpeed>(swing.natural(count));
-  o.n_above = trace.speed("n_above", above / order.h, "the next natural frequency above, over h");
+  o.n_above = trace.speed("n_above", above / order.h, "next higher natural frequency / h");
   o.n_below = trace.speed("n_below", from_si<AngularSpeed>(swing.natural(count - 1)) / order.h,
                           "the next lower one / h; rigid-body rotation is at 0");
-  STEP(q_above, o.n_above / n, "distance from the one above");
+  STEP(q_above, o.n_above / n, "separation from the next higher one");
   if (count < 2) {
     STEP_TO(o, u_h, in.k_n / q_above, "below the lowest natural frequency, with its margin");
     return o;
   }
-  STEP(q_below, n / o.n_below, "distance from the one below");
+  STEP(q_below, n / o.n_below, "separation from the next lower one");
   STEP_TO(o, u_h, in.k_n / min(q_above, q_below), "between two natural frequencies, with its margin from both");
   return o;
 }

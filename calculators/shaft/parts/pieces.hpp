@@ -257,7 +257,7 @@ struct Notched {
 };
 
 constexpr auto choices_of(Holds) {
-  return std::array{ChoiceName<Holds>{Holds::radial, "radial", "radial forces: floating bearing"},
+  return std::array{ChoiceName<Holds>{Holds::radial, "radial", "radial forces: non-locating bearing"},
                     ChoiceName<Holds>{Holds::both, "both", "radial and axial forces: locating bearing"}};
 }
 constexpr auto choices_of(On) {

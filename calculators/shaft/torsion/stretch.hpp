@@ -48,10 +48,10 @@ void load(TorsionTypes::Stretch& s, Stress G, double K_A, Tracer& trace) {
     if (is_set(G)) s.theta = from_si<Twist>(0.0), s.phi = is_set(s.l) ? 0.0 : s.phi;
     return;
   }
-  STEP(I_t, pi / 32.0 * (pow<4>(s.d) - pow<4>(s.d_bore)), "polar second moment of a ring");
+  STEP(I_t, pi / 32.0 * (pow<4>(s.d) - pow<4>(s.d_bore)), "polar second moment of area");
   STEP_TO(s, tau, s.M_t * s.d / (2.0 * I_t), "at the surface, [B19] (2)");
   if (!is_set(G)) return;
-  STEP_TO(s, theta, K_A * s.M / (G * I_t), "twist per length, signed, [B19] (7)");
+  STEP_TO(s, theta, K_A * s.M / (G * I_t), "angle of twist per unit length, signed, [B19] (7)");
   if (!is_set(s.l)) return;
   STEP_TO(s, phi, theta * s.l, "twist of the stretch");
 }

@@ -50,15 +50,15 @@ template <class Tracer>
 void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   const bool by_strength = is_set(r.tau_all);
   if (!by_strength && !is_set(in.theta_adm)) return;  // stresses and twist alone are asked for
-  if (by_strength) trace.value("d_strength", r.d_strength, "maximum of the shaft");
+  if (by_strength) trace.value("d_strength", r.d_strength, "largest value along the shaft");
   if (is_set(in.theta_adm) && !by_strength) {
-    trace.value("d_stiffness", r.d_stiffness, "maximum of the shaft");
+    trace.value("d_stiffness", r.d_stiffness, "largest value along the shaft");
     STEP_TO(r, d_min, r.d_stiffness, "by stiffness only: no strength is given");
     r.governs = Torsion::Governs::stiffness;
     return;
   }
   if (is_set(in.theta_adm)) {
-    trace.value("d_stiffness", r.d_stiffness, "maximum of the shaft");
+    trace.value("d_stiffness", r.d_stiffness, "largest value along the shaft");
     STEP_TO(r, D_star, 2.0 * r.tau_all / (in.G * in.theta_adm),
             "below this diameter stiffness governs, above it strength");
   }
@@ -103,12 +103,12 @@ void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
 
 template <class Tracer>
 void judge(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
-  trace.value("tau_max", r.tau_max, "maximum of the shaft");
+  trace.value("tau_max", r.tau_max, "largest value along the shaft");
   if (is_set(r.tau_all)) {
     STEP_TO(r, u_tau, r.tau_max / r.tau_all, "strength condition, [B19] (3)");
   }
   if (is_set(in.theta_adm)) {
-    trace.value("theta_max", r.theta_max, "maximum of the shaft");
+    trace.value("theta_max", r.theta_max, "largest value along the shaft");
     STEP_TO(r, u_theta, r.theta_max / in.theta_adm, "stiffness condition, [B19] (8)");
   }
   if (is_set(r.phi)) trace.angle("phi", r.phi, "sum over the stretches, with sign");

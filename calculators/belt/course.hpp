@@ -75,7 +75,7 @@ pulleys = [
       Field{&Result::L, "L", mm, "belt length"},
       Field{&Result::s, "s", mm, "displacement of the adjustable pulley, positive in its direction"},
       Field{&Result::v, "v", m_per_s, "belt speed"},
-      Field{&Result::f_B, "f_B", Hz, "flexing frequency of the belt"},
+      Field{&Result::f_B, "f_B", Hz, "flex rate of the belt"},
       Field{&Result::P_1, "P_1", kW, "power of the driving pulley"},
       Field{&Result::F_c, "F_c", N, "centrifugal tension"},
       Field{&Result::S_0_min, "S_0_min", N, "minimum slack side tension"},
@@ -133,7 +133,7 @@ pulleys = [
       Mode<Input>{"grip", "belt slip on pulleys", &loaded}.judged_by("u_S"),
       Mode<Input>{"lifting", "belt lift-off from pulleys", &loaded}.judged_by("N_min"),
       Mode<Input>{"strength", "tensile strength at maximum tension", &loaded}.judged_by("u_T"),
-      Mode<Input>{"bending", "pulley diameter and flexing frequency", &beyond_bending}.special(),
+      Mode<Input>{"bending", "pulley diameter and flex rate", &beyond_bending}.special(),
       Mode<Input>{"speed", "belt and rim speed", &beyond_speed}.special(),
       Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
 

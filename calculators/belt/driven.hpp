@@ -20,7 +20,7 @@ constexpr auto driven_inputs() {
                     .positive()
                     .usually(20, 9000)
                     .may_be_missing(),
-                Field<Input, double>{&Input::i_set, "i_set", ratio, "wanted transmission ratio n_1/n_2"}
+                Field<Input, double>{&Input::i_set, "i_set", ratio, "required speed ratio n_1/n_2"}
                     .also("i")
                     .positive()
                     .usually(0.1, 12)
@@ -31,7 +31,7 @@ constexpr auto driven_inputs() {
 template <class Result>
 constexpr auto driven_results(const char* of_pulley) {
   return Fields{Field<Result, Length>{&Result::d_2, "d_2", mm, of_pulley},
-                Field<Result, double>{&Result::i_w, "i_w", ratio, "wanted transmission ratio"},
+                Field<Result, double>{&Result::i_w, "i_w", ratio, "required speed ratio"},
                 Field<Result, double>{&Result::dev_i, "dev_i", ratio, "relative deviation of the ratio"}};
 }
 
@@ -47,8 +47,8 @@ constexpr auto driven_rules() {
 
 template <class Input, class Tracer>
 double wanted_ratio(const Input& in, Tracer& trace) {
-  if (is_set(in.i_set)) return NAMED_STEP("i_w", in.i_set, "wanted ratio, as given");
-  return NAMED_STEP("i_w", in.n_1 / in.n_2_set, "wanted ratio of the speeds");
+  if (is_set(in.i_set)) return NAMED_STEP("i_w", in.i_set, "required ratio, as given");
+  return NAMED_STEP("i_w", in.n_1 / in.n_2_set, "required ratio of the speeds");
 }
 
 /// The member nearest to a diameter by ratio; unset of an empty list.

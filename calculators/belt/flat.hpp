@@ -195,7 +195,7 @@ E_b = "40 MPa"
           Group{&Result::shaft_2, "shaft_2",
                 "maximum shaft load on the driven shaft, in operation or at standstill, for load"}
               .handed_over(),
-          Field{&Result::f_B, "f_B", Hz, "flexing frequency of the belt"},
+          Field{&Result::f_B, "f_B", Hz, "flex rate of the belt"},
           Field{&Result::u_S, "u_S", ratio, "friction: required / actual initial tension"}.check(),
           Field{&Result::u_sigma, "u_sigma", ratio, "strength: maximum / allowable stress"}.check(),
           Field{&Result::sigma_N, "sigma_N", MPa,
@@ -242,7 +242,7 @@ E_b = "40 MPa"
       Mode<Input>{"speed", "belt speed range", &always<Input>}.judged_by("v_range, x_v"),
       Mode<Input>{"room", "clearance between the pulleys", &always<Input>}.judged_by("g_x").of_shape(),
       Mode<Input>{"twist", "twisting and rubbing of crossed spans", &crossed}.judged_by("x_a"),
-      Mode<Input>{"fatigue", "belt fatigue life (flexing frequency)", &unseen<Input>}.special(),
+      Mode<Input>{"fatigue", "belt fatigue life (flex rate)", &unseen<Input>}.special(),
       Mode<Input>{"rim", "bursting of pulley rims", &unseen<Input>}.special(),
       Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
 

@@ -47,7 +47,7 @@ void sprockets(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, alpha_1, pi - 2.0 * asin((d_2 - d_1) / (2.0 * r.a)), "wrap, [Strokeforge]");
   STEP_TO(r, alpha_2, 2.0 * pi - alpha_1, "wrap of the other sprocket");
   STEP_TO(r, delta_1, 1.0 - cos(pi / in.z_1), "chain speed between the corners of the polygon, [Strokeforge]");
-  STEP_TO(r, delta_2, 1.0 - cos(pi / in.z_2), "chordal action, driven sprocket");
+  STEP_TO(r, delta_2, 1.0 - cos(pi / in.z_2), "speed variation due to chordal action, driven sprocket");
   r.z_min = std::min(in.z_1, in.z_2);
 }
 

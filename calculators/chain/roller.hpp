@@ -27,7 +27,7 @@ struct Roller {
   static constexpr auto title = "Roller chain drive";
   static constexpr auto scope =
       "Chain length and centre distance of a two-sprocket drive, speed limits by lubrication, chordal action, "
-      "chain pull, bearing pressure in the joints, static safety factor against breakage and shaft loads; "
+      "chain pull, pin bearing pressure, static safety factor against breakage and shaft loads; "
       "service life is not covered.";
   static constexpr auto source = "[ASME-B29], [B40], [ISO10823]";
   static constexpr auto headline = "z {z_1}/{z_2}, p {p}";
@@ -96,7 +96,7 @@ P_R = "5.5 kW"
           .positive()
           .usually(5, 5000)
           .from("chain", "A"),
-      Choice{&Input::edition, "edition", "source of the breaking loads"}.may_be_missing(),
+      Choice{&Input::edition, "edition", "source of the breaking loads: manufacturer or ISO 606:1994"}.may_be_missing(),
       Field{&Input::F_uM, "F_uM", kN, "breaking load of one strand, manufacturer's value"}
           .positive()
           .usually(1, 1500)
@@ -133,7 +133,7 @@ P_R = "5.5 kW"
           .at_least(0)
           .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio,
-            "service factor for shocks of driving and driven machine (1 if the load includes it)"}
+            "service factor for the driver and the driven machine (1 if the load includes it)"}
           .at_least(1)
           .usually(1, 2)
           .factor(),
@@ -195,8 +195,8 @@ P_R = "5.5 kW"
       Field{&Result::v_share, "v_share", ratio, "chain speed / maximum speed for the lubrication type"}.limit(0, 1,
                                                                                                               "n_1"),
       Field{&Result::delta_1, "delta_1", ratio,
-            "chordal action, driving sprocket: drop of the chain speed below its maximum"},
-      Field{&Result::delta_2, "delta_2", ratio, "chordal action, driven sprocket"},
+            "speed variation due to chordal action, driving sprocket: (v_max - v_min)/v_max"},
+      Field{&Result::delta_2, "delta_2", ratio, "speed variation due to chordal action, driven sprocket"},
       Field{&Result::T_1, "T_1", N_m, "torque of the driving sprocket, nominal"}.load().with("F_W"),
       Field{&Result::T_2, "T_2", N_m, "torque of the driven sprocket, nominal, without losses"}.load().with("F_W"),
       Field{&Result::F_t, "F_t", N, "chain pull, nominal"}.load(),
@@ -255,7 +255,7 @@ P_R = "5.5 kW"
 
   static constexpr bool turns = true;
   static constexpr std::array modes{
-      Mode<Input>{"joints", "joint wear (bearing pressure)", &loaded}.judged_by("u_p"),
+      Mode<Input>{"joints", "pin-bush joint wear (bearing pressure)", &loaded}.judged_by("u_p"),
       Mode<Input>{"breaking", "static breaking strength of the chain", &loaded}.judged_by("u_S, u_F"),
       Mode<Input>{"plates", "link plate fatigue", &runs_loaded}.judged_by("u_P").in_service(),
       Mode<Input>{"cranked_link", "strength of the cranked link", [](const Input& in) { return where(in.X % 2 != 0); }},

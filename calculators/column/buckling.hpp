@@ -30,8 +30,9 @@ struct Buckling {
   static constexpr auto title = "Column buckling";
   static constexpr auto scope =
       "Slenderness of a uniform bar about both axes, critical stress by Euler, Tetmajer-Yasinsky, Johnson, "
-      "Rankine, secant formula, EN 1993-1-1, AISC 360 and SP 16, and the allowable load of each with its own "
-      "safety factor; torsional-flexural buckling of channels, tees and angles of equal legs; tension is assessed by "
+      "Rankine, secant formula, EN 1993-1-1, AISC 360 and SP 16, and the allowable load by each method, each with its "
+      "own safety factor; torsional-flexural buckling of channels, tees and angles of equal legs; tension is assessed "
+      "by "
       "N/A on the gross section; torsional buckling of other open sections, class 4 sections and transverse loads are "
       "not covered.";
   static constexpr auto source =
@@ -66,9 +67,9 @@ n_st = 3
   static constexpr auto inputs =
       join(held_inputs<Input>(), section_inputs<Input>(), material_inputs<Input>(), derived_section_inputs<Input>(),
            twisting_inputs<Input>(),
-           Fields{Field<Input, Length>{&Input::l_T, "l_T", mm,
-                                       "distance of the supports against twisting; omitted: l, of a bar with a free or "
-                                       "swaying end 2 l"}
+           Fields{Field<Input, Length>{
+               &Input::l_T, "l_T", mm,
+               "distance of the supports against twisting; omitted: l, or 2 l for a free or sway end"}
                       .positive()
                       .usually(10, 1e5)
                       .may_be_missing()},

@@ -14,7 +14,7 @@ struct WrapRow {
   static constexpr auto group = "v_belt_wrap";
   double alpha = unset<double>, c_alpha = unset<double>;
   static constexpr Fields fields{Field{&WrapRow::alpha, "alpha", deg, "wrap"},
-                                 Field{&WrapRow::c_alpha, "c_alpha", ratio, "wrap factor"}};
+                                 Field{&WrapRow::c_alpha, "c_alpha", ratio, "arc-of-contact factor"}};
 };
 
 struct CountRow {

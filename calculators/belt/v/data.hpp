@@ -1,7 +1,7 @@
 // V-belts by the tables: the ratings of each basis, and the data that belong only to its rating.
 //
 // A basis is a system of ratings with the factors that were made for it. Nothing of one basis is ever used with
-// another: a wrap factor of one with the rating of another overstates a drive by up to 15 %.
+// another: an arc-of-contact factor of one with the rating of another overstates a drive by up to 15 %.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -102,7 +102,7 @@ bool is_sold_belt(const VSection& section, Length L);
 
 /// The length factor: of the table, linear between its lengths; NaN outside of them.
 double v_length_factor(const VSection& section, Length L);
-/// The wrap factor of the Optibelt basis, linear between the rows of its table; NaN outside.
+/// The arc-of-contact factor of the Optibelt basis, linear between the rows of its table; NaN outside.
 double optibelt_wrap_factor(double alpha);
 double least_optibelt_wrap();
 

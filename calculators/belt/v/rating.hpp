@@ -58,13 +58,14 @@ void rate(const VSection& section, Length d_k, AngularSpeed n_k, double i_g, VTy
   STEP_TO(r, P_N, P_0 + dP, "rated power of one belt");
 }
 
-/// The wrap factor of the basis at the smaller wrap.
+/// The arc-of-contact factor of the basis at the smaller wrap.
 template <class Tracer>
 double wrap_factor(Basis basis, double alpha, Tracer& trace) {
   if (basis == Basis::iso)
     return NAMED_STEP("c_alpha", 1.25 * (1.0 - exp(-alpha / pi * log(5.0))),
-                      "wrap factor: closed form of [GOST1284.3] 18");
-  return trace.value("c_alpha", optibelt_wrap_factor(alpha), "wrap factor, linear in [Optibelt-V] 16");
+                      "arc-of-contact factor: closed form of [GOST1284.3] 18");
+  return trace.value("c_alpha", optibelt_wrap_factor(alpha),
+                     "arc-of-contact factor, interpolated from [Optibelt-V] 16");
 }
 
 /// The least number of belts whose shares carry z_0 belts' rating; 0 where no number up to 100 does.
@@ -79,14 +80,14 @@ inline Whole belts_needed(Basis basis, double z_0, bool high_end) {
 template <class Tracer>
 void count(const VTypes::Input& in, VTypes::Result& r, Tracer& trace) {
   if (!(r.P_N > from_si<Power>(0.0)) || !is_set(r.c_alpha) || !is_set(r.c_L)) return;
-  STEP_TO(r, z_0, r.P_B / (r.P_N * r.c_alpha * r.c_L), "number of belts before the belt number factor");
+  STEP_TO(r, z_0, r.P_B / (r.P_N * r.c_alpha * r.c_L), "number of belts before the belt-number factor");
   const bool iso = in.basis == Basis::iso, high_end = in.C_K_end == VTypes::End::high;
   r.z = in.z > 0 ? in.z : belts_needed(in.basis, z_0, high_end);
   if (r.z == 0) return;
-  trace.value("z", r.z, in.z > 0 ? "as given" : "the minimum number that carries the power");
-  r.C_K =
-      trace.value("C_K", iso ? v_count_factor(r.z, high_end) : 1.0,
-                  iso ? "belts share unevenly, [GOST1284.3] 20" : "the basis has no belt number factor, [Optibelt-V]");
+  trace.value("z", r.z, in.z > 0 ? "as given" : "smallest number of belts that transmits the design power");
+  r.C_K = trace.value(
+      "C_K", iso ? v_count_factor(r.z, high_end) : 1.0,
+      iso ? "belts share unevenly, [GOST1284.3] 20" : "this method has no belt-number factor, [Optibelt-V]");
   STEP_TO(r, P_all, r.z * r.C_K * r.P_N * r.c_alpha * r.c_L, "power rating of the belts");
   STEP_TO(r, u_P, r.P_B / P_all, "power condition");
 }

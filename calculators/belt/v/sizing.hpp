@@ -40,7 +40,7 @@ a_set = "600 mm"
 )";
 
   static constexpr auto inputs = join(
-      Fields{Choice{&Input::basis, "basis", "system of ratings and factors"}.may_be_missing(),
+      Fields{Choice{&Input::basis, "basis", "rating method: ISO 5292 or Optibelt"}.may_be_missing(),
              NameField{&Input::section, "section", "belt section, restricts the selection"}.may_be_missing(),
              Choice{&Input::belt_class, "belt_class", "belt class, with the basis iso"}.may_be_missing(),
              Field{&Input::P, "P", kW, "power, mean over the cycle"}
@@ -54,7 +54,7 @@ a_set = "600 mm"
                  .may_be_missing()
                  .factor(),
              Choice{&Input::duty, "duty", "load type"}.may_be_missing(),
-             Choice{&Input::motor, "motor", "motor torque type"}.may_be_missing(),
+             Choice{&Input::motor, "motor", "starting torque of the driver: normal or high"}.may_be_missing(),
              Field{&Input::h_day, "h_day", hour, "daily operating time"}.positive().within(0.01, 24).may_be_missing(),
              Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}
                  .positive()
@@ -81,7 +81,7 @@ a_set = "600 mm"
              Choice{&Input::rank, "rank", "ranking criterion"}.may_be_missing()});
 
   static constexpr Fields results{
-      Choice{&Result::rating, "rating", "governing system of ratings and factors"},
+      Choice{&Result::rating, "rating", "governing rating method"},
       Field{&Result::tried, "tried", ratio, "number of drives that meet speed and centre distance"},
       Field{&Result::too_weak, "too_weak", ratio, "number of these that need too many belts"},
       Field{&Result::outside, "outside", ratio, "number of these that fail another check or limit"},
@@ -93,7 +93,7 @@ a_set = "600 mm"
       Field{&Result::a, "a", mm, "centre distance"},
       Field{&Result::n_2, "n_2", rpm, "speed of the driven pulley"},
       Field{&Result::i, "i", ratio, "speed ratio n_1/n_2 with slip"},
-      Field{&Result::i_w, "i_w", ratio, "wanted transmission ratio"},
+      Field{&Result::i_w, "i_w", ratio, "required speed ratio"},
       Field{&Result::dev_n, "dev_n", ratio, "deviation of the speed, relative"},
       Field{&Result::dev_a, "dev_a", ratio, "deviation of the centre distance, relative"},
       Field{&Result::n_k, "n_k", rpm, "speed of the smaller pulley, without slip"},
@@ -106,7 +106,7 @@ a_set = "600 mm"
       Field{&Result::u_P, "u_P", ratio, "power: design power / power rating of the belts"}.check(),
       Field{&Result::u_grip, "u_grip", ratio, "traction: required / actual belt tension"}.check("mu"),
       Field{&Result::u_rim, "u_rim", ratio, "rim: larger rim speed / allowable rim speed"}.check(),
-      Field{&Result::u_B, "u_B", ratio, "flexing frequency / maximum flexing frequency"}.check(),
+      Field{&Result::u_B, "u_B", ratio, "flex rate / maximum flex rate"}.check(),
       Field{&Result::drives, "drives", ratio, "number of standard drives that pass every check"}
           .limit(1, 1e6)
           .criterion(),
@@ -144,7 +144,7 @@ a_set = "600 mm"
       Mode<Input>{"grip", "belt slip (Euler-Eytelwein)", [](const Input& in) { return shown_by(is_set(in.mu)); }}
           .judged_by("u_grip"),
       Mode<Input>{"rim", "bursting of pulley rims", &always<Input>}.judged_by("u_rim"),
-      Mode<Input>{"bending", "flexing frequency", &always<Input>}.judged_by("u_B"),
+      Mode<Input>{"bending", "flex rate", &always<Input>}.judged_by("u_B"),
       Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special(),
       Mode<Input>{"heat", "heat, oil and dust", &unseen<Input>}.special()};
 

@@ -58,7 +58,7 @@ L = "2650 mm"
 
   static constexpr auto inputs = join(
       Fields{RecordField<Input>{"drive", "drive selected by belt.v_sizing: drive = \"=pick.best\""},
-             Choice{&Input::basis, "basis", "system of ratings and factors"}.may_be_missing(),
+             Choice{&Input::basis, "basis", "rating method: ISO 5292 or Optibelt"}.may_be_missing(),
              NameField{&Input::section, "section", "belt section, e.g. A, SPB"},
              Choice{&Input::belt_class, "belt_class", "belt class, with the basis iso"}.may_be_missing(),
              Field{&Input::P, "P", kW, "power, mean over the cycle"}
@@ -76,7 +76,7 @@ L = "2650 mm"
                  .usually(1, 2)
                  .may_be_missing(),
              Choice{&Input::duty, "duty", "load type"}.may_be_missing(),
-             Choice{&Input::motor, "motor", "motor torque type"}.may_be_missing(),
+             Choice{&Input::motor, "motor", "starting torque of the driver: normal or high"}.may_be_missing(),
              Field{&Input::h_day, "h_day", hour, "daily operating time"}.positive().within(0.01, 24).may_be_missing(),
              Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}
                  .positive()
@@ -101,7 +101,7 @@ L = "2650 mm"
               .usually(200, 2e4)
               .may_be_missing(),
           Count{&Input::z, "z", 0, 100, "number of belts; 0: as required by the power"}.may_be_missing(),
-          Choice{&Input::C_K_end, "C_K_end", "end of the range of the belt number factor, basis iso"}.may_be_missing(),
+          Choice{&Input::C_K_end, "C_K_end", "low or high end of the belt-number factor, basis iso"}.may_be_missing(),
           Choice{&Input::tensioning, "tensioning", "tensioning method"}.may_be_missing(),
           Field{&Input::mu, "mu", ratio, "coefficient of friction, for traction in the grooves"}
               .within(0.01, 1.5)
@@ -113,7 +113,7 @@ L = "2650 mm"
               .customarily_at_most(60)});
 
   static constexpr auto results = join(
-      Fields{Choice{&Result::rating, "rating", "governing system of ratings and factors"}},
+      Fields{Choice{&Result::rating, "rating", "governing rating method"}},
       driven_results<Result>("datum diameter of the driven pulley found"),
       Fields{
           Field{&Result::i, "i", ratio, "speed ratio n_1/n_2 with slip"},
@@ -131,11 +131,11 @@ L = "2650 mm"
           Field{&Result::P_B, "P_B", kW, "design power"}.holding("K_A"),
           Field{&Result::P_0, "P_0", kW, "rated power of one belt, equal pulleys"},
           Field{&Result::dP, "dP", kW, "power increment for the speed ratio"},
-          Field{&Result::c_alpha, "c_alpha", ratio, "arc of contact factor (C_alpha, c_1)"},
+          Field{&Result::c_alpha, "c_alpha", ratio, "arc-of-contact factor (C_alpha, c_1)"},
           Field{&Result::c_L, "c_L", ratio, "length factor (C_L, c_3)"},
-          Field{&Result::z_0, "z_0", ratio, "number of belts before the belt number factor"},
+          Field{&Result::z_0, "z_0", ratio, "number of belts before the belt-number factor"},
           Count{&Result::z, "z", 0, 100, "number of belts"},
-          Field{&Result::C_K, "C_K", ratio, "belt number factor"},
+          Field{&Result::C_K, "C_K", ratio, "belt-number factor"},
           Field{&Result::P_all, "P_all", kW, "power rating of the belts"},
           Field{&Result::F_c, "F_c", N, "centrifugal tension of one belt"},
           Field{&Result::F_0, "F_0", N, "initial tension of one belt span, run-in"},
@@ -166,12 +166,12 @@ L = "2650 mm"
           Field{&Result::v_rim, "v_rim", m_per_s, "larger rim speed of the two pulleys"},
           Field{&Result::Delta_1, "Delta_1", mm, "minimum increase of the centre distance for tensioning"},
           Field{&Result::Delta_2, "Delta_2", mm, "minimum decrease of the centre distance for installation"},
-          Field{&Result::f_B, "f_B", Hz, "flexing frequency of the belt"},
+          Field{&Result::f_B, "f_B", Hz, "flex rate of the belt"},
           Field{&Result::L_h, "L_h", hour, "mean life stated by the basis"},
           Field{&Result::u_P, "u_P", ratio, "power: design power / power rating of the belts"}.check(),
           Field{&Result::u_grip, "u_grip", ratio, "traction: required / actual belt tension"}.check("mu"),
           Field{&Result::u_rim, "u_rim", ratio, "rim: larger rim speed / allowable rim speed"}.check(),
-          Field{&Result::u_B, "u_B", ratio, "flexing frequency / maximum flexing frequency"}.check(),
+          Field{&Result::u_B, "u_B", ratio, "flex rate / maximum flex rate"}.check(),
           Field{&Result::P_N, "P_N", kW, "rated power of one belt (positive)"}.limit(1e-3, 1e4),
           Field{&Result::x_dmin, "x_dmin", ratio, "minimum pulley diameter of the section / smaller pulley"}
               .limit(0, 1 + 1e-9)
@@ -219,7 +219,7 @@ L = "2650 mm"
           Rule<Input>{[](const Input& in) { return !is_set(in.K_A_1) || in.basis == Basis::iso; }, "K_A_1, basis",
                       "K_A_1 requires the basis iso; the basis optibelt uses K_A for the tension"},
           Rule<Input>{[](const Input& in) { return in.C_K_end == End::low || in.basis == Basis::iso; },
-                      "C_K_end, basis", "the belt number factor requires the basis iso"},
+                      "C_K_end, basis", "the belt-number factor requires the basis iso"},
           Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
                       "give either the centre distance a or the belt length L"},
           Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching}});
@@ -236,7 +236,7 @@ L = "2650 mm"
           .judged_by("u_grip"),
       Mode<Input>{"speed", "maximum belt speed", &always<Input>}.judged_by("x_v"),
       Mode<Input>{"rim", "bursting of pulley rims", &always<Input>}.judged_by("u_rim"),
-      Mode<Input>{"bending", "flexing frequency", &always<Input>}.judged_by("u_B"),
+      Mode<Input>{"bending", "flex rate", &always<Input>}.judged_by("u_B"),
       Mode<Input>{"sharing", "load sharing between belts", &always<Input>}.judged_by("x_z"),
       Mode<Input>{"room", "clearance between pulley rims", &always<Input>}.judged_by("g_r").of_shape(),
       Mode<Input>{"fitting", "clearance for belt installation", &always<Input>}.judged_by("g_f").of_shape(),

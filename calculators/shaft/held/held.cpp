@@ -149,7 +149,7 @@ void judge_member(const Input& in, const Slices& slices, const Part& part, std::
   const auto C = trace.value("C", stiffness_at(in, s, x), "sum of G I_p there over the members, which twist alike");
   const Stress G = trace.value("G", part.G, "its shear modulus");
   const Length d = member.d = trace.value("d", ring.d, "its outer diameter");
-  const SecondMoment I_p = trace.value("I_p", polar(ring), "its polar second moment of area of area");
+  const SecondMoment I_p = trace.value("I_p", polar(ring), "its polar second moment of area");
   STEP_TO(member, T, M * G * I_p / C, "its part of the moment");
   STEP_TO(member, tau, G * abs(M) * d / (2.0 * C), "at its surface, [B19] (2)");
   member.tau_all =

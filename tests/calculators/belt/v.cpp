@@ -195,7 +195,7 @@ TEST_SUITE("belt v") {
     CHECK(rel(in_si(classical_belt.Q_new - classical_belt.Q), 0.3 * in_si(classical_belt.F_0) / 16.0) < 1e-12);
   }
 
-  TEST_CASE("the wrap factor of the basis iso is that of its table to two digits") {
+  TEST_CASE("the arc-of-contact factor of the basis iso is that of its table to two digits") {
     for (const auto& [deg_of_wrap, printed] : {std::pair{180, 1.00},
                                                {170, 0.98},
                                                {160, 0.95},
@@ -337,7 +337,7 @@ TEST_SUITE("belt v") {
     CHECK(BeltStep(with(maker, "belt_class", "\"III\"")).says("the belt class requires the basis iso"));
     CHECK(BeltStep(with(maker, "K_A_1", "1.1"))
               .says("K_A_1 requires the basis iso; the basis optibelt uses K_A for the tension"));
-    CHECK(BeltStep(with(maker, "C_K_end", "\"high\"")).says("the belt number factor requires the basis iso"));
+    CHECK(BeltStep(with(maker, "C_K_end", "\"high\"")).says("the belt-number factor requires the basis iso"));
     CHECK(BeltStep(with(text, "K_A", "")).says("give either K_A or"));
     CHECK(BeltStep(with(maker, "motor", "\"normal\"")).says("give either K_A or"));
     CHECK(BeltStep(with(text, "L", "")).says("give either the centre distance a or the belt length"));

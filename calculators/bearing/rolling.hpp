@@ -33,7 +33,7 @@ struct Rolling {
   static constexpr auto scope =
       "Rating life with reliability, lubricant and contamination (a_ISO) for one load or blocks of load and speed, "
       "static safety factor, minimum load, speed and axial load limits of a rolling bearing, induced axial forces of "
-      "a pair, fit on its seat; oscillation and misalignment are not covered.";
+      "a pair, fit on its shaft seat and shoulder; oscillation and misalignment are not covered.";
   static constexpr auto source = "[ISO281], [ISO281-aISO], [ISO76]";
   static constexpr auto headline = "{bearing}|C = {C}";
   static constexpr auto synonyms =
@@ -66,7 +66,7 @@ s_0 = 2
     AngularSpeed n = unset<AngularSpeed>;
     static constexpr Fields fields{
         NameField{&Block::name, "name", "name of the block"}.may_be_missing(),
-        Field{&Block::q, "q", ratio, "share of time; all shares sum to 1"}.within(0, 1).positive(),
+        Field{&Block::q, "q", ratio, "fraction of time; all fractions sum to 1"}.within(0, 1).positive(),
         Field{&Block::k, "k", ratio, "loads of the block / F_r and F_a"}.at_least(0).usually(0, 10),
         Field{&Block::n, "n", rpm, "speed of the block; omitted: n"}.at_least(0).may_be_missing()};
   };
@@ -210,7 +210,7 @@ s_0 = 2
                  .at_least(0)
                  .may_be_missing(),
              Field{&Input::F_a0, "F_a0", kN, "simultaneous axial load"}.load().may_be_missing(),
-             ListField{&Input::blocks, "blocks", "load and speed blocks with their shares of time; omitted: one block"}
+             ListField{&Input::blocks, "blocks", "load and speed blocks with time fractions; omitted: one block"}
                  .may_be_missing(),
              Choice{&Input::holds, "holds", "loads that the shaft needs the bearing for: radial, or radial and axial"}
                  .may_be_missing()},
@@ -221,7 +221,7 @@ s_0 = 2
               .may_be_missing(),
           Choice{&Input::carries, "carries", "direction of the axial force that this bearing carries, with mate"}
               .may_be_missing(),
-          Field{&Input::c_i, "c_i", ratio, "induced axial force x Y / F_r: 0.5, of some makers 0.6"}.within(0.5, 0.6)},
+          Field{&Input::c_i, "c_i", ratio, "induced axial force x Y / F_r: 0.5; some catalogues 0.6"}.within(0.5, 0.6)},
       dimension_inputs<Input>(), seat_inputs<Input>());
 
   struct Stage {
@@ -234,7 +234,7 @@ s_0 = 2
     double kappa = unset<double>, a_ISO = unset<double>;
     static constexpr Fields fields{
         NameField{&Stage::name, "name", "name of the block"},
-        Field{&Stage::q, "q", ratio, "share of time"},
+        Field{&Stage::q, "q", ratio, "fraction of time"},
         Field{&Stage::n, "n", rpm, "speed"},
         Field{&Stage::e, "e", ratio, "limiting ratio F_a/F_r above which the axial load is included"},
         Field{&Stage::Y, "Y", ratio, "axial load factor"},

@@ -27,9 +27,7 @@ struct Mate {
   static constexpr Fields fields{
       RecordField<Mate>{"load", "loads of the mating bearing: load = \"=shaft.bearings.right\""},
       Field{&Mate::F_r, "F_r", kN, "its radial load"}.load().at_least(0),
-      Field{&Mate::F_a, "F_a", kN, "axial force that the shaft puts on it, positive to the right"}
-          .load()
-          .may_be_missing(),
+      Field{&Mate::F_a, "F_a", kN, "external axial force on it, positive to the right"}.load().may_be_missing(),
       Field{&Mate::Y, "Y", ratio, "its axial load factor above e"}.positive().usually(0.2, 7),
       Field{&Mate::F_r0, "F_r0", kN, "its peak radial load"}.load().at_least(0).may_be_missing(),
       Field{&Mate::F_a0, "F_a0", kN, "simultaneous axial force"}.load().may_be_missing()};

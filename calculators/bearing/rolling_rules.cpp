@@ -102,7 +102,7 @@ bool Rolling::shares_close(const Input& in) {
 
 FieldFault Rolling::open_shares(const Input& in) {
   return {"blocks", say("the shares q sum to {1}, not to 1", format_number(sum_of_shares(in))),
-          say("give every block its share of the time, and standstill as a block with n = \"0 rpm\"")};
+          say("give every block its fraction of time, and standstill as a block with n = \"0 rpm\"")};
 }
 
 /// A bearing without a speed turns, however fast: its life is in revolutions.

@@ -19,11 +19,11 @@ constexpr auto dimension_inputs() {
                     .positive()
                     .from("bearing", "B")
                     .where_it_has(),
-                Field{&Input::r_s, "r_s", mm, "smallest chamfer of the inner ring"}
+                Field{&Input::r_s, "r_s", mm, "minimum chamfer dimension of the inner ring"}
                     .positive()
                     .from("bearing", "r_s")
                     .where_it_has(),
-                Field{&Input::d_a, "d_a", mm, "least diameter of the shoulder that the inner ring abuts on"}
+                Field{&Input::d_a, "d_a", mm, "minimum abutment diameter for the inner ring"}
                     .positive()
                     .from("bearing", "d_a")
                     .where_it_has()};
@@ -33,7 +33,7 @@ constexpr auto dimension_inputs() {
 template <class Input>
 constexpr auto seat_inputs() {
   return Fields{Field{&Input::d_s, "d_s", mm, "shaft diameter at the bearing"}.positive().may_be_missing(),
-                Field{&Input::l_s, "l_s", mm, "width of a ring on the shaft segment, centred at the bearing, at most"}
+                Field{&Input::l_s, "l_s", mm, "maximum ring width that fits the shaft segment, centred at the bearing"}
                     .at_least(0)
                     .may_be_missing(),
                 Field{&Input::r_f, "r_f", mm, "fillet radius of the shoulder that the inner ring abuts on"}

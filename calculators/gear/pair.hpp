@@ -32,7 +32,7 @@ struct Pair {
   static constexpr auto scope =
       "Geometry, contact ratio, tooth thickness, base tangent length and tooth forces of spur and helical "
       "gears with profile shift, external, internal or with a rack, and static bending stress by Lewis as a "
-      "first estimate; pitting and tooth breakage by gear.rating.";
+      "first estimate; pitting and tooth breakage are rated in gear.rating.";
   static constexpr auto source = "[ISO21771], [Lewis]";
   static constexpr auto headline = "z {z_1}/{z_2}, m {m_n}";
   static constexpr auto synonyms =
@@ -129,7 +129,8 @@ sigma_adm_2 = "200 MPa"
       Field{&Input::n_1, "n_1", rpm, "speed of gear 1; a negative value reverses the direction in turns"}
           .near_that_of_source("shafts[#].n")
           .may_be_missing(),
-      Choice{&Input::turns, "turns", "direction of rotation of gear 1, seen against the z axis"}.may_be_missing(),
+      Choice{&Input::turns, "turns", "direction of rotation of gear 1, viewed from +z towards the origin"}
+          .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the load includes it)"}
           .at_least(1)
           .usually(1, 2.5)

@@ -147,11 +147,11 @@ inline constexpr Fields pair_results{
         "sigma_adm_2"),
     Field{&PairResult::s_R1, "s_R1", mm, "rim thickness of gear 1 above the keyway"},
     Field{&PairResult::m_R1, "m_R1", ratio,
-          "backup ratio of gear 1: rim thickness / tooth height (tooth root formulas apply from 1.2)"}
+          "backup ratio of gear 1: rim thickness / tooth depth (tooth root formulas apply from 1.2)"}
         .limit(1.2 * (1 - 1e-9), 1e6)
         .where_it_applies(),
     Field{&PairResult::s_R2, "s_R2", mm, "rim thickness of gear 2 above the keyway"},
-    Field{&PairResult::m_R2, "m_R2", ratio, "backup ratio of gear 2: rim thickness / tooth height"}
+    Field{&PairResult::m_R2, "m_R2", ratio, "backup ratio of gear 2: rim thickness / tooth depth"}
         .limit(1.2 * (1 - 1e-9), 1e6)
         .where_it_applies()};
 

@@ -49,7 +49,7 @@ constexpr auto bore_size() {
 template <class Input>
 constexpr auto hub_inputs() {
   return Fields{root_size<Input>(),
-                Field<Input, Length>{&Input::h_t, "h_t", mm, "tooth height of the mounted gear"}
+                Field<Input, Length>{&Input::h_t, "h_t", mm, "tooth depth of the mounted gear"}
                     .positive()
                     .of_body()
                     .may_be_missing(),
@@ -76,7 +76,7 @@ constexpr auto within_root() {
 inline bool bore_fits(Length bore, Length d) { return !is_set(bore) || abs(bore - d) <= 1e-3 * d; }
 
 /// Whether the length of the hub is given, of a pulley or sprocket: it is often longer than the rim. A gear, which
-/// alone has a tooth height, is usually as wide as its hub.
+/// alone has a tooth depth, is usually as wide as its hub.
 template <class Input>
 bool has_long_hub(const Input& in) {
   if constexpr (requires { in.l_n; }) return !is_set(in.h_t) && is_set(in.l_n) && in.l <= 1.000001 * in.l_n;
@@ -104,7 +104,7 @@ Applies has_root(const Input& in) {
 template <class Result>
 constexpr auto rim_of_gear() {
   return Field<Result, double>{&Result::m_R, "m_R", ratio,
-                               "rim thickness of the gear between root circle and shaft or keyway / tooth height; at "
+                               "rim thickness of the gear between root circle and shaft or keyway / tooth depth; at "
                                "least 1.2 for the tooth root formulas"}
       .limit(1.2 * (1 - 1e-9), 1e6)
       .where_it_applies();
@@ -122,7 +122,7 @@ Length wall_under_root(const Input& in, Length d, Length cut, Result& r, Tracer&
   const Length t_N = trace.value("t_N", cut, "cut into the hub");
   STEP(s_N, (in.d_f - d_N) / 2.0 - t_N, "hub wall under the root circle");
   if (is_set(in.h_t)) {
-    STEP_TO(r, m_R, s_N / in.h_t, "rim thickness over tooth height, as in gear.pair");
+    STEP_TO(r, m_R, s_N / in.h_t, "rim thickness over tooth depth, as in gear.pair");
   }
   return s_N;
 }

@@ -47,7 +47,7 @@ struct ShaftLoad {
       Field{&ShaftLoad::d_f, "d_f", mm,
             "root diameter of an external gear or a sprocket, groove bottom diameter of a V-belt pulley; otherwise the "
             "diameter at which the forces act"},
-      Field{&ShaftLoad::h_t, "h_t", mm, "tooth height of an external gear"},
+      Field{&ShaftLoad::h_t, "h_t", mm, "tooth depth of an external gear"},
       Field{&ShaftLoad::b_r, "b_r", mm, "rim width of a gear or pulley"},
       Field{&ShaftLoad::bore, "bore", mm, "bore of a gear"},
       Choice{&ShaftLoad::kind, "kind", "source of the load"}};

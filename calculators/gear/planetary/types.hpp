@@ -19,7 +19,7 @@ struct SunLoad {
   static constexpr Fields fields{Field{&SunLoad::T, "T", N_m, "external torque on the sun, magnitude"}.load(),
                                  Field{&SunLoad::n, "n", rpm, "speed of the sun, signed"},
                                  Field{&SunLoad::d_f, "d_f", mm, "root diameter of the sun"},
-                                 Field{&SunLoad::h_t, "h_t", mm, "tooth height of the sun"}};
+                                 Field{&SunLoad::h_t, "h_t", mm, "tooth depth of the sun"}};
 };
 
 struct PlanetaryTypes {

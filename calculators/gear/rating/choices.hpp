@@ -44,7 +44,7 @@ constexpr auto choices_of(Quality) {
   using Q = Quality;
   return std::array{ChoiceName<Q>{Q::untold, "", "none: give sigma_Hlim and sigma_Flim"},
                     ChoiceName<Q>{Q::ML, "ML", "modest demands on the material"},
-                    ChoiceName<Q>{Q::MQ, "MQ", "demands of experienced makers at moderate cost"},
+                    ChoiceName<Q>{Q::MQ, "MQ", "demands met by experienced manufacturers at moderate cost"},
                     ChoiceName<Q>{Q::ME, "ME", "demands for high reliability"}};
 }
 constexpr auto choices_of(Finish) {
@@ -55,7 +55,7 @@ constexpr auto choices_of(Finish) {
 }
 constexpr auto choices_of(Crowning) {
   using C = Crowning;
-  return std::array{ChoiceName<C>{C::none, "none", "no correction of the flank line"},
+  return std::array{ChoiceName<C>{C::none, "none", "no lead modification"},
                     ChoiceName<C>{C::crowned, "crowned", "crowned"},
                     ChoiceName<C>{C::end_relief, "end_relief", "relieved at the ends"}};
 }

@@ -41,8 +41,8 @@ void single_contact(const Input& in, const PairResult& g, Result& r, Tracer& tra
     r.Z_D = trace.value("Z_D", 1.0, "the same");
     return;
   }
-  STEP_TO(r, Z_B, max(M_1 - eps_beta * (M_1 - 1.0), 1.0), "single contact factor, gear 1");
-  STEP_TO(r, Z_D, max(M_2 - eps_beta * (M_2 - 1.0), 1.0), "single contact factor, gear 2");
+  STEP_TO(r, Z_B, max(M_1 - eps_beta * (M_1 - 1.0), 1.0), "single-pair tooth contact factor, gear 1");
+  STEP_TO(r, Z_D, max(M_2 - eps_beta * (M_2 - 1.0), 1.0), "single-pair tooth contact factor, gear 2");
 }
 
 /// Z_LVR of lubricant, velocity and roughness together, [DIN3990-11].
@@ -95,7 +95,7 @@ Contact contact_of(const Input& in, const Wheel& wheel, const Wheel& mate, doubl
   Contact c;
   const Stress sigma_H0 = r.sigma_H0;
   const double K_V = r.K_V, K_Hbeta = r.K_Hbeta, K_Halpha = r.K_Halpha, Z_LVR = r.Z_LVR;
-  trace.value("Z_BD", Z_single, "single contact factor of this gear");
+  trace.value("Z_BD", Z_single, "single-pair tooth contact factor of this gear");
   const double Z_BD = Z_single;
   STEP(sigma_H, Z_BD * sigma_H0 * sqrt(in.K_A * K_V * K_Hbeta * K_Halpha), "contact stress, [DIN3990-2]");
   c.sigma = trace.value(wheel.symbols.sigma_H, sigma_H, "of this gear");

@@ -91,22 +91,23 @@ void face_load_factor(const Input& in, const PairResult& g, const Wheel& one, co
                                in.crowning == Crowning::none      ? 0.023
                                : in.crowning == Crowning::crowned ? 0.012
                                                                   : 0.016,
-                               "by the correction of the flank line, [DIN3990-11]");
-  const double K_p = trace.value("K_p", place_constant(in.place), "by the place of the pinion, [DIN3990-11]");
+                               "by the lead modification, [DIN3990-11]");
+  const double K_p = trace.value("K_p", place_constant(in.place), "by the position of the pinion, [DIN3990-11]");
   if (K_p == 0.0) {
-    STEP_TO(r, f_sh, w_m * A * pow<2>(in.b / d_1) * um, "deflection of the pinion and its shaft, midway");
+    STEP_TO(r, f_sh, w_m * A * pow<2>(in.b / d_1) * um,
+            "equivalent misalignment due to pinion and shaft deformation, midway");
   } else {
     STEP_TO(r, f_sh,
             w_m * A * (abs(1.0 + K_p * in.l * in.s / (d_1 * d_1) * pow<4>(d_1 / in.d_sh) - 0.3) + 0.3) *
                 pow<2>(in.b / d_1) * um,
-            "deflection of the pinion and its shaft, [DIN3990-11]");
+            "equivalent misalignment due to pinion and shaft deformation, [DIN3990-11]");
   }
   const Length f_sh = r.f_sh;
   const Length f_ma = manufacturing_deviation(in, g, trace);
   if (in.pattern == Pattern::favourable) {
-    STEP_TO(r, F_betax, abs(1.33 * f_sh - f_ma), "deviation of the flank lines, compensated");
+    STEP_TO(r, F_betax, abs(1.33 * f_sh - f_ma), "initial equivalent misalignment, compensated");
   } else {
-    STEP_TO(r, F_betax, 1.33 * f_sh + f_ma, "deviation of the flank lines before running in");
+    STEP_TO(r, F_betax, 1.33 * f_sh + f_ma, "initial equivalent misalignment, before running in");
   }
   const double x = r.F_betax / um, v = r.v / m_per_s;
   const double y_1 = running_in(one, lim_1 / MPa, x, v), y_2 = running_in(two, lim_2 / MPa, x, v);
@@ -123,7 +124,7 @@ void face_load_factor(const Input& in, const PairResult& g, const Wheel& one, co
 template <class Tracer>
 double face_load_of_root(const Input& in, const Wheel& wheel, const Result& r, Tracer& trace) {
   const Length d_a = trace.value("d_a", wheel.d_a, "tip circle"), d_f = trace.value("d_f", wheel.d_f, "root circle");
-  STEP(h_b, (d_a - d_f) / (2.0 * in.b), "tooth height over the face width");
+  STEP(h_b, (d_a - d_f) / (2.0 * in.b), "tooth depth over the face width");
   STEP(h_r, min(h_b, 1.0 / 3.0), "1/3 at most");
   STEP(N_F, 1.0 / (1.0 + h_r + h_r * h_r), "exponent");
   return trace.value(wheel.symbols.K_Fbeta, std::pow(r.K_Hbeta, N_F),
@@ -149,7 +150,7 @@ void transverse_factors(const Input& in, const PairResult& g, bool hardened, Res
     coarse = coarse || grade > 10;
   }
   if (!coarse) {
-    r.K_Halpha = trace.value("K_Halpha", of_grade, "transverse factor of the grade, [DIN3990-11]");
+    r.K_Halpha = trace.value("K_Halpha", of_grade, "transverse load factor of the grade, [DIN3990-11]");
     r.K_Falpha = trace.value("K_Falpha", of_grade, "the same");
   } else if (spur) {
     STEP_TO(r, K_Halpha, max(1.0 / pow<2>(r.Z_eps), 1.2), "one pair of teeth carries, [DIN3990-11]");

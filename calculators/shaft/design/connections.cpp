@@ -60,8 +60,8 @@ void judge_connections(const Input& in, DesignResult& r, Tracer& trace) {
       STEP_TO(s, x_R, t_c / ((d_f - d) / 2.0 - t_c), "wall at least as thick as the keyway is deep");
     }
     if (!is_set(seat.h_t)) continue;
-    const Length h_t = trace.value("h_t", seat.h_t, "tooth height");
-    STEP_TO(s, m_R, ((d_f - d) / 2.0 - t_c) / h_t, "rim thickness over tooth height, as in gear.pair");
+    const Length h_t = trace.value("h_t", seat.h_t, "tooth depth");
+    STEP_TO(s, m_R, ((d_f - d) / 2.0 - t_c) / h_t, "rim thickness over tooth depth, as in gear.pair");
   }
 }
 

@@ -174,7 +174,7 @@ struct Seat {
           .positive()
           .of_body()
           .may_be_missing(),
-      Field{&Seat::h_t, "h_t", mm, "tooth height of a gear"}.positive().of_body().may_be_missing(),
+      Field{&Seat::h_t, "h_t", mm, "tooth depth of a gear"}.positive().of_body().may_be_missing(),
       Field{&Seat::b_r, "b_r", mm, "rim width of a gear or pulley, for the hub length where b is missing"}
           .positive()
           .of_body()

@@ -44,7 +44,7 @@ struct Carried {
       Field{&Carried::beta, "beta", deg, "shaft slope at the bearing"},
       Field{&Carried::u_beta, "u_beta", ratio, "slope / allowable slope"}.check().where_it_applies(),
       Field{&Carried::d_s, "d_s", mm, "shaft diameter at the bearing"},
-      Field{&Carried::l_s, "l_s", mm, "width of a ring on the shaft segment, at most"},
+      Field{&Carried::l_s, "l_s", mm, "maximum ring width that fits the shaft segment"},
       Field{&Carried::r_f, "r_f", mm, "fillet radius of the adjacent shoulder"},
       Field{&Carried::d_f, "d_f", mm, "diameter of this shoulder"}};
 };
@@ -76,7 +76,7 @@ struct Seated {
           .sizeless()
           .where_it_applies(),
       Field{&Seated::m_R, "m_R", ratio,
-            "backup ratio of a gear: rim thickness above the keyway / tooth height (tooth root "
+            "backup ratio of a gear: rim thickness above the keyway / tooth depth (tooth root "
             "formulas apply from 1.2)"}
           .limit(1.2 * (1 - 1e-9), 1e6)
           .where_it_applies(),

@@ -30,7 +30,7 @@ struct Life {
   static constexpr auto id = "fatigue.life";
   static constexpr auto title = "Constant-amplitude fatigue (safety factor and life)";
   static constexpr auto scope =
-      "Safety factor and life in one stress cycle with mean stress by Goodman, Soderberg, Gerber, ASME "
+      "Safety factor and life under one stress cycle; mean-stress correction by Goodman, Soderberg, Gerber, ASME "
       "ellipse, Morrow, Smith-Watson-Topper, Walker, FKM and Serensen, one of which governs, with first-cycle "
       "yielding and the allowable amplitude; load histories, fewer than 1e3 cycles, combined shear, creep and "
       "corrosion are not covered.";
@@ -127,7 +127,8 @@ S_F = 1.5
               .may_be_missing()
               .factor(),
           Choice<Input, MeanRule>{&Input::rule, "rule", "governing mean stress rule"}.may_be_missing(),
-          Choice<Input, MeanStress>{&Input::mean, "mean", "overload case: quantity kept constant"}.may_be_missing(),
+          Choice<Input, MeanStress>{&Input::mean, "mean", "overload case: constant mean stress, or constant ratio"}
+              .may_be_missing(),
           Choice<Input, Compression>{&Input::compression, "compression", "benefit of compressive mean stress"}
               .may_be_missing(),
           F<double>{&Input::K_m, "K_m", ratio,
@@ -254,9 +255,10 @@ S_F = 1.5
                   "an input of the mean stress rule is missing", &lacking},
       Rule<Input>{&line_has_all, "line, N, sigma_D, R_m, f, sigma_f, b, k, K_D",
                   "an input of the finite-life line is missing", &lacking_of_line},
-      Rule<Input>{
-          [](const Input& in) { return is_set(in.sigma_D) || (in.line == Line::basquin && is_set(in.N)); }, "sigma_D",
-          "give the fatigue limit of the part sigma_D; omit it only with a required life N and line = \"basquin\""},
+      Rule<Input>{[](const Input& in) { return is_set(in.sigma_D) || (in.line == Line::basquin && is_set(in.N)); },
+                  "sigma_D",
+                  "give the fatigue limit of the part sigma_D; omit it only with a required life N and the finite-life "
+                  "line of Basquin, line = \"basquin\""},
       Rule<Input>{
           [](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",
           "give the group, e.g. group = \"carbon-steel\"; without it the material is taken as non-ferrous, with no "

@@ -140,7 +140,9 @@ tau_adm_1 = "40 MPa"
                   "the outer diameter of the hub must exceed the shaft diameter"},
       Rule<Input>{
           [](const Input& in) { return !is_set(in.R_m) || is_set(in.tau_adm) || in.loading != Loading::unsaid; },
-          "R_m, loading", "the allowable share of R_m depends on the loading type: give loading"}};
+          "R_m, loading",
+          "the allowable stress as a fraction of R_m depends on the type of loading: give loading = steady, pulsating "
+          "or alternating"}};
 
   static constexpr std::array senses{SenseClaim{"T", "loading", "steady, pulsating", "alternating"}};
   static constexpr std::array meanings{Meaning{"tau_adm", allowable_in_shear}};
@@ -149,8 +151,8 @@ tau_adm_1 = "40 MPa"
       Mode<Input>{"shaft_bore", "bearing pressure, shaft", &loaded}.judged_by("u_1"),
       Mode<Input>{"hub_bore", "bearing pressure, hub", &loaded}.judged_by("u_2"),
       Mode<Input>{"shaft", "torsion of the shaft at the hole", &loaded}.judged_by("u_t, x_d"),
-      Mode<Input>{"fatigue", "pin fatigue, loading type stated", &varies}.judged_by("u_tau"),
-      Mode<Input>{"variation", "pin fatigue, loading type unstated", &may_vary}.in_service().wanting(
+      Mode<Input>{"fatigue", "fatigue of the pin by the stated loading type", &varies}.judged_by("u_tau"),
+      Mode<Input>{"variation", "fatigue of the pin, loading type not stated", &may_vary}.in_service().wanting(
           "loading = pulsating"),
       Mode<Input>{"shaft_fatigue", "shaft fatigue at the cross hole", &shaft_varies}.in_service().assessed_beside(
           "shaft.design"),

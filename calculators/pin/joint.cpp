@@ -17,7 +17,7 @@ Moment largest_moment(const Input& in, Force F_d, Tracer& trace) {
   switch (in.held) {
     case Held::in_fork:
       return NAMED_STEP("M_b", F_d * (in.t_1 + 4.0 * in.c) / 8.0,
-                        "supported at the faces of the fork, [RM-9] case 2, with the gap");
+                        "supported at the faces of the clevis, [RM-9] case 2, with the gap");
     case Held::in_eye:
       return NAMED_STEP("M_b", F_d * (in.t_2 + 2.0 * in.c) / 4.0,
                         "built in at the faces of the eye, [RM-9] case 3, with the gap");
@@ -69,10 +69,12 @@ template <class Tracer>
 void strength(const Input& in, Result& r, Tracer& trace) {
   const Shares shares = shares_of(in.loading);
   const Stress sigma_b = r.sigma_b, sigma_v = r.sigma_v, tau = r.tau;
-  const Stress sigma_a = allowed_stress("sigma_a", in.sigma_adm, in.R_m, shares.bending,
-                                        "share of R_m in bending, by the loading, [RM-9]", trace);
-  const Stress tau_a = allowed_stress("tau_a", in.tau_adm, in.R_m, shares.shear,
-                                      "share of R_m in shear, by the loading, [RM-9], from memory", trace);
+  const Stress sigma_a =
+      allowed_stress("sigma_a", in.sigma_adm, in.R_m, shares.bending,
+                     "allowable bending stress, fraction of R_m for this type of loading, [RM-9]", trace);
+  const Stress tau_a =
+      allowed_stress("tau_a", in.tau_adm, in.R_m, shares.shear,
+                     "allowable shear stress, fraction of R_m for this type of loading, [RM-9], from memory", trace);
   if (is_set(sigma_a)) {
     STEP_TO(r, u_b, sigma_b / sigma_a, "bending");
     STEP_TO(r, u_v, sigma_v / sigma_a, "equivalent stress");

@@ -1,6 +1,6 @@
-// A pin in a fork and an eye, or in one wall: bending, shear, pressure, and pressure times speed where it turns.
+// A pin in a clevis and an eye, or in one wall: bending, shear, pressure, and pressure times speed where it turns.
 //
-// Decides as [RM-9] does, by beams whose moment follows from how the pin is held: loose, fixed in the fork, fixed in
+// Decides as [RM-9] does, by beams whose moment follows from how the pin is held: loose, fixed in the clevis, fixed in
 // the eye; with a gap c on either side of the eye. A pin held on one side is a cantilever that bears in its wall by
 // force and moment. The load is even over eye and cheeks, or falls towards the outside of the cheeks, [Bhandari-4].
 // Shear is that of the neutral axis, of a bore too. Allowable values are typed, or a share of R_m by how the force
@@ -23,7 +23,7 @@
 
 namespace loadpath::pin {
 
-/// Load of an eye, or of one cheek of a fork: an input record of pin.lug, load = "=pin.eye".
+/// Load of an eye, or of one cheek of a clevis: an input record of pin.lug, load = "=pin.eye".
 struct LugLoad {
   Force F = unset<Force>;
   Length d = unset<Length>, t = unset<Length>;
@@ -38,7 +38,7 @@ struct Joint {
   static constexpr auto title = "Clevis pin or cantilever pin joint";
   static constexpr auto scope =
       "Bending and shear of a solid or hollow pin in a clevis and eye, or cantilevered from a wall, bearing "
-      "pressure in eye and clevis, and the pv value where it turns; eye and clevis walls are assessed by "
+      "pressure in eye and clevis, and the pv value if the joint rotates; eye and clevis walls are assessed by "
       "pin.lug; ovalisation of a hollow pin is not covered.";
   static constexpr auto source = "[RM-9], [Bhandari-4], [Mises]";
   static constexpr auto headline = "d = {d}";
@@ -48,7 +48,7 @@ struct Joint {
       "pv value, Bolzenverbindung, Gabel, Gelenkbolzen, Flächenpressung, clevis, Bolzen, Gelenk, палец, "
       "шарнирный палец, ось шарнира, вилка, проушина";
   static constexpr auto example = R"([project]
-title = "Pin of a fork"
+title = "Pin of a clevis"
 
 [joint]
 calculator = "pin.joint"
@@ -96,9 +96,8 @@ p_adm_2 = "100 MPa"
           .at_least(1)
           .usually(1, 4)
           .factor(),
-      Choice{&Input::held, "held", "support of the pin: loose, fixed in the clevis or in the eye, or cantilevered"}
-          .may_be_missing(),
-      Choice{&Input::loading, "loading", "loading of a point of the pin: steady, pulsating or alternating"}
+      Choice{&Input::held, "held", "pin fixing: loose, fixed in clevis or eye, or cantilevered"}.may_be_missing(),
+      Choice{&Input::loading, "loading", "type of loading on the pin: steady, pulsating or alternating"}
           .may_be_missing(),
       Choice{&Input::spread, "spread", "load distribution over the clevis cheeks (loose pin)"}.may_be_missing(),
       Field{&Input::d, "d", mm, "diameter of the pin"}
@@ -190,7 +189,9 @@ p_adm_2 = "100 MPa"
                     const bool typed = is_set(in.sigma_adm) && is_set(in.tau_adm);
                     return !is_set(in.R_m) || typed || in.loading != Loading::unsaid;
                   },
-                  "R_m, loading", "the allowable share of R_m depends on the loading type: give loading"},
+                  "R_m, loading",
+                  "the allowable stress as a fraction of R_m depends on the type of loading: give loading = steady, "
+                  "pulsating or alternating"},
       Rule<Input>{[](const Input& in) { return is_set(in.pv_adm) <= is_set(in.n); }, "pv_adm, n",
                   "the pv value needs the speed of rotation n"},
       heat_treated_before_turning<Input>()};
@@ -203,8 +204,8 @@ p_adm_2 = "100 MPa"
       Mode<Input>{"shear", "shear of the pin", &loaded}.judged_by("u_tau, x_E"),
       Mode<Input>{"eye", "bearing pressure, eye", &loaded}.judged_by("u_1"),
       Mode<Input>{"fork", "bearing pressure, clevis or wall", &loaded}.judged_by("u_2"),
-      Mode<Input>{"fatigue", "pin fatigue, loading type stated", &varies}.judged_by("u_b, u_tau"),
-      Mode<Input>{"variation", "pin fatigue, loading type unstated", &may_vary}.in_service().wanting(
+      Mode<Input>{"fatigue", "fatigue of the pin by the stated loading type", &varies}.judged_by("u_b, u_tau"),
+      Mode<Input>{"variation", "fatigue of the pin, loading type not stated", &may_vary}.in_service().wanting(
           "loading = pulsating"),
       Mode<Input>{"wear", "wear and heating (pv value)", &turns_in_seat}
           .judged_by("u_pv")

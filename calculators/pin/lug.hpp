@@ -4,7 +4,7 @@
 // planes from the bore to the crown, and over the projected bore. Allowable values are typed, or R_e over a safety,
 // in shear by [Mises]. These apply to eyes of the usual shape, whose crown is not thinner than their sides, as
 // table 3.9 of [EN1993-1-8] draws them: others are not covered. Of a wider eye 2.5 bores of its width count. The force
-// acts along the axis of the eye and counts as tension. An eye, or one cheek of a fork: each is a step of its own.
+// acts along the axis of the eye and counts as tension. An eye, or one cheek of a clevis: each is a step of its own.
 // Not covered: forces across the axis, the notch of the bore in fatigue, bushes, welds.
 #pragma once
 

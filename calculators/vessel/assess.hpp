@@ -27,7 +27,7 @@ Length carrying(const WallInput& in, Length delta, Tracer& trace) {
 
 template <class Tracer>
 Length mean_radius(Length R, Length e, Tracer& trace) {
-  return NAMED_STEP("R_m", R + e, "middle of the carrying wall");
+  return NAMED_STEP("R_m", R + e, "mid-surface radius");
 }
 
 /// The bound of the hoop compression of heads whose crown has this radius.

@@ -33,9 +33,9 @@ class ConeShape {
     const Length r = t * R_m_;
     place.r = r, place.z = r / std::tan(in_.alpha);
     trace.value("r", r, "mean radius at the governing location");
-    STEP_TO(place, rho_o, r / cos(in_.alpha), "normal to the wall, up to the axis");
+    STEP_TO(place, rho_o, r / cos(in_.alpha), "second principal radius of curvature");
     place.kappa_M = trace.value("kappa_M", 0.0 / r, "the meridian is straight");
-    STEP_TO(place, q_M, r / (2.0 * cos(in_.alpha)), "pressure on the section over the upright part of the pull");
+    STEP_TO(place, q_M, r / (2.0 * cos(in_.alpha)), "axial equilibrium of the part beyond this location");
     if (wet_) {
       place.p_l = head(in_, place.z, trace);
       hang(place, trace);
@@ -78,7 +78,7 @@ class ConeShape {
 
 template <class Tracer>
 Length mean_radius(const Input& in, Length e, Tracer& trace) {
-  return NAMED_STEP("R_m", in.R + e * cos(in.alpha), "middle of the carrying wall at the large end");
+  return NAMED_STEP("R_m", in.R + e * cos(in.alpha), "mid-surface radius at the large end");
 }
 
 }  // namespace

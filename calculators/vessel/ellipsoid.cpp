@@ -29,9 +29,9 @@ class EllipsoidShape {
     const Length r = trace.value("r", place.r, "distance of the governing location from the axis");
     const Length z = trace.value("z", place.z, "height above the equator");
     STEP(w, sqrt(pow<2>(a_m * z / b_m) + pow<2>(b_m * r / a_m)), "auxiliary value of the radii of curvature");
-    STEP_TO(place, rho_o, a_m / b_m * w, "normal to the wall, up to the axis");
+    STEP_TO(place, rho_o, a_m / b_m * w, "second principal radius of curvature");
     STEP_TO(place, kappa_M, a_m * b_m / pow<3>(w), "curvature of the ellipse");
-    STEP_TO(place, q_M, a_m / b_m * w / 2.0, "pressure on the cap over the upright part of the pull");
+    STEP_TO(place, q_M, a_m / b_m * w / 2.0, "axial equilibrium of the part beyond this location");
     trace.value("p_l", place.p_l, "no liquid");
     trace.value("n_M", place.n_M, "no liquid");
     return place;
@@ -43,8 +43,8 @@ class EllipsoidShape {
 
 template <class Tracer>
 void mean_axes(const Input& in, Ellipsoid::Result& r, Length e, Tracer& trace) {
-  STEP_TO(r, a_m, in.a + e, "middle of the carrying wall, across");
-  STEP_TO(r, b_m, in.b + e, "middle of the carrying wall, along");
+  STEP_TO(r, a_m, in.a + e, "mid-surface semi-axis, across");
+  STEP_TO(r, b_m, in.b + e, "mid-surface semi-axis, along");
 }
 
 /// The stresses of pole and equator in their known form, and the bound of the hoop compression of flat heads.

@@ -61,8 +61,8 @@ sigma_adm = "140 MPa"
   };
   static constexpr Fields results = join(
       wall_results<Result>(),
-      Fields{Field{&Result::a_m, "a_m", mm, "semi-axis across, middle of the carrying wall"},
-             Field{&Result::b_m, "b_m", mm, "semi-axis along, middle of the carrying wall"},
+      Fields{Field{&Result::a_m, "a_m", mm, "mid-surface semi-axis, across"},
+             Field{&Result::b_m, "b_m", mm, "mid-surface semi-axis, along"},
              Field{&Result::r, "r", mm, "distance of the governing location from the axis"},
              Field{&Result::sigma_pole, "sigma_pole", MPa, "stress at the pole, alike in all directions"},
              Field{&Result::sigma_eq, "sigma_eq", MPa, "hoop stress at the equator; negative is compression"},

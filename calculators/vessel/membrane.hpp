@@ -62,7 +62,7 @@ Stress hoop(const Place& place, Stress p_i, Stress sigma_M, Length delta_c, Trac
     return NAMED_STEP("sigma_o", place.w_o * place.rho_o * p_i / delta_c,
                       "[B24] (9), (10) with rings: the wall carries its part");
   return NAMED_STEP("sigma_o", place.rho_o * (p_i / delta_c - sigma_M * place.kappa_M),
-                    "balance across the wall, [B24] (9)");
+                    "equilibrium normal to the wall, [B24] (9)");
 }
 
 template <class Tracer>
@@ -97,11 +97,12 @@ double governing_place(const Shape& shape, Stress p, Length delta_c, const Stren
 template <class Tracer>
 Length offset(const WallInput& in, Length delta, Length delta_c, Tracer& trace) {
   if (in.measured == Measured::inner)
-    return NAMED_STEP("e", in.c + 0.5 * delta_c, "middle of the carrying wall, from the inside of the new one");
+    return NAMED_STEP("e", in.c + 0.5 * delta_c, "mid-surface of the carrying wall, from the inside of the new wall");
   if (in.measured == Measured::outer)
     return NAMED_STEP("e", -0.5 * delta_c,
-                      "middle of the carrying wall, from the outside, which mill and corrosion leave");
-  return NAMED_STEP("e", in.c + 0.5 * delta_c - 0.5 * delta, "middle of the carrying wall, from that of the new one");
+                      "mid-surface of the carrying wall, from the outside, which tolerance and corrosion leave");
+  return NAMED_STEP("e", in.c + 0.5 * delta_c - 0.5 * delta,
+                    "mid-surface of the carrying wall, from that of the new wall");
 }
 
 /// The same for a wall of this carrying thickness.

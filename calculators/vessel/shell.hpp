@@ -73,7 +73,7 @@ sigma_adm = "120 MPa"
     Length r = unset<Length>, z = unset<Length>, rho_o = unset<Length>, rho_M = unset<Length>;
     Stress sigma_o = unset<Stress>, sigma_M = unset<Stress>, sigma_v = unset<Stress>;
     static constexpr Fields fields{
-        Field{&Along::r, "r", mm, "distance from the axis, middle of the carrying wall"},
+        Field{&Along::r, "r", mm, "distance from the axis, mid-surface"},
         Field{&Along::z, "z", mm, "height"},
         Field{&Along::rho_o, "rho_o", mm, "radius of curvature across the meridian"},
         Field{&Along::rho_M, "rho_M", mm, "radius of curvature of the meridian; none where it is straight"},

@@ -25,7 +25,7 @@ class TorusShape {
     place.r = R_0 + r_m * s_phi, place.z = r_m * std::sin(2.0 * pi * t);
     trace.value("s_phi", s_phi, "-1 at the inside of the ring, where the tube is pulled most");
     STEP(r_p, R_0 + r_m * s_phi, "distance of the position from the axis");
-    STEP_TO(place, rho_o, r_p / s_phi, "normal to the wall, up to the axis; negative where it is a saddle");
+    STEP_TO(place, rho_o, r_p / s_phi, "second principal radius of curvature; negative at a saddle");
     STEP_TO(place, kappa_M, 1.0 / r_m, "around the tube");
     STEP_TO(place, q_M, r_m * (2.0 * R_0 + r_m * s_phi) / (2.0 * r_p),
             "balance of the part between crown and position, [Timoshenko]");
@@ -41,7 +41,7 @@ class TorusShape {
 template <class Tracer>
 Length tube_radius(Length r_t, Length e, Tracer& trace) {
   trace.value("r_t", r_t, "radius of the tube as given");
-  return NAMED_STEP("r_m", r_t + e, "middle of the carrying wall");
+  return NAMED_STEP("r_m", r_t + e, "mid-surface radius");
 }
 
 }  // namespace

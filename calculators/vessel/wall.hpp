@@ -100,11 +100,10 @@ constexpr auto wall_inputs(const char* pressures = "p") {
       Field<Input, double>{&Input::f_t, "f_t", ratio, "mill under-tolerance as a share of delta; 0.125 for pipes"}
           .at_least(0)
           .below(0.5),
-      Field<Input, double>{&Input::z_l, "z_l", ratio, "efficiency of longitudinal seams, which carry hoop stress"}
+      Field<Input, double>{&Input::z_l, "z_l", ratio, "joint efficiency of longitudinal seams (hoop stress)"}
           .within(0.3, 1)
           .factor(),
-      Field<Input, double>{&Input::z_c, "z_c", ratio,
-                           "efficiency of circumferential seams, which carry meridional stress"}
+      Field<Input, double>{&Input::z_c, "z_c", ratio, "joint efficiency of circumferential seams (meridional stress)"}
           .within(0.3, 1)
           .factor(),
       Field<Input, Stress>{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress (safety factor included)"}
@@ -124,7 +123,7 @@ constexpr auto wall_inputs(const char* pressures = "p") {
           .may_be_missing()
           .factor(),
       Choice<Input, Measured>{&Input::measured, "measured", "reference surface of the radii"}.may_be_missing(),
-      Choice<Input, Hypothesis>{&Input::hypothesis, "hypothesis", "strength hypothesis of the equivalent stress"}
+      Choice<Input, Hypothesis>{&Input::hypothesis, "hypothesis", "failure theory of the equivalent stress"}
           .may_be_missing()};
 }
 

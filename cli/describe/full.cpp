@@ -43,7 +43,7 @@ std::string filled_by(const Calculator& calculator, std::string_view group) {
 void show_keys(const Calculator& calculator) {
   Rows rows{{"  calculator", "word", "required", std::string(calculator.id)}};
   if (!calculator.templates.empty())
-    rows.push_back({"  template", "word", "optional", "an input known in shape, by its parameters: see below"});
+    rows.push_back({"  template", "word", "optional", "a standard mechanism, by its parameters: see below"});
   for (const std::string& group : table_groups(calculator)) {
     rows.push_back({"  " + group, "name", "optional",
                     "a row of `loadpath tables`, or of [tables." + group + "s] in the file; fills what is missing of " +

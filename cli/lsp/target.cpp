@@ -117,7 +117,7 @@ Target target_of(const Outline& outline, std::string_view text, const Path& path
 
 std::vector<StepKey> keys_beside(const Calculator& calculator) {
   std::vector<StepKey> keys{{"calculator", "calculator"}};
-  if (!calculator.templates.empty()) keys.push_back({"template", "an input known in shape, by its parameters"});
+  if (!calculator.templates.empty()) keys.push_back({"template", "a standard mechanism, by its parameters"});
   for (const std::string& group : table_groups(calculator))
     keys.push_back({group, "a row of `loadpath tables`, or of [tables." + group + "s] in the file"});
   keys.push_back({"title", "for the report"});

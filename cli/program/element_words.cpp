@@ -46,7 +46,7 @@ using AddFlag = std::function<void(const std::string& key, const std::string& do
 /// The name of a template, and the parameters of all of them, each once.
 void add_templates(const Calculator& calculator, const AddFlag& add) {
   if (calculator.templates.empty()) return;
-  add("template", "input known in shape, by its parameters: `loadpath describe " + std::string(calculator.id) + "`",
+  add("template", "standard mechanism, by its parameters: `loadpath describe " + std::string(calculator.id) + "`",
       "NAME");
   std::map<std::string, std::string> users;
   for (const Template* t : calculator.templates) {

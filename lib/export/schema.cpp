@@ -47,7 +47,7 @@ void add_templates(const Calculator& calculator, json::object& step, Definitions
     for (const FieldInfo& f : t->parameters->fields) properties[f.key] = json::object{};
   }
   properties["template"] =
-      json::object{{"enum", std::move(words)}, {"description", "an input known in shape, by its parameters"}};
+      json::object{{"enum", std::move(words)}, {"description", "a standard mechanism, by its parameters"}};
   step["allOf"] = std::move(conditions);
 }
 

@@ -65,7 +65,8 @@ f_max = 1.8
     MeanStress mean = MeanStress::proportional;
   };
   static constexpr Fields loads{
-      Choice<Input, MeanStress>{&Input::mean, "mean", "overload case: quantity kept constant: cases 1 and 2"},
+      Choice<Input, MeanStress>{&Input::mean, "mean",
+                                "overload case: constant mean stress (case 1) or constant ratio (case 2)"},
       Field<Input, double>{&Input::S_min, "S_min", ratio,
                            "required safety, 1.2 by the standard, more where loads or "
                            "consequences are not known"}

@@ -208,7 +208,7 @@ std::vector<Change> changes_of(const mechanism::Model& model, const Position& at
 void add_changes(const mechanism::Model& model, const Position& at, bool statics, std::vector<Table>& tables) {
   if (model.drivers.empty() || at.effort[0] == 0.0) return;
   const bool rotary = model.drivers[0].kind == mechanism::Driver::Kind::rotary;
-  Table table{say("Sensitivity of the driving effort at the governing position (exact derivatives)"),
+  Table table{say("Sensitivity of the driving torque or force at the governing position (exact derivatives)"),
               {say("dimension, mass or load"), say("changed by"), say("changes the effort by"), say("part of it")},
               {}};
   for (const Change& change : changes_of(model, at, statics)) {

@@ -24,9 +24,9 @@ struct Mechanism {
   static constexpr auto id = "mechanism.planar";
   static constexpr auto title = "Planar mechanism (kinematics, kinetostatics)";
   static constexpr auto scope =
-      "Kinematics, joint reactions and driving effort of a planar mechanism of rigid links with revolute, "
+      "Kinematics, joint reactions and driving torque or force of a planar mechanism of rigid links with revolute, "
       "prismatic and slot joints, gears, belts, cams, rolling wheels and friction, over a cycle or at given "
-      "positions; clearance enters as an error of the outputs; elasticity is not covered.";
+      "positions; joint clearance is treated as an error of the outputs; elasticity is not covered.";
   static constexpr auto source = "[A10], [B29], [B31], [D3]";
   static constexpr auto headline =
       "stable at {equilibrium.stable}|torque {drive.M!}|force {cylinders.*.F!}|joint force {joints.*.F!}|no forces: "
@@ -124,7 +124,7 @@ F_y = "0 N"
           .may_be_missing(),
       ListField{&Input::springs, "springs", "springs and dampers, by name"}.may_be_missing(),
       ListField{&Input::sides, "sides",
-                "assembly by the sides of its groups, which the report lists; as stated or drawn where missing"}
+                "assembly configuration of each group (the report lists them); omitted: as stated or drawn"}
           .as_arrays()
           .may_be_missing(),
       ListField{&Input::tolerances, "tolerances", "toleranced dimensions and masses, by name"}.may_be_missing(),
@@ -134,7 +134,7 @@ F_y = "0 N"
       ListField{&Input::counterweights, "counterweights", "links with counterweights, by name"}.may_be_missing(),
       Choice{&Input::balance, "balance", "quantity minimised by the counterweights"}.may_be_missing(),
       ListField{&Input::hodographs, "hodographs",
-                "joints whose force is drawn as a hodograph; the busiest where missing"}
+                "joints whose force is drawn as a hodograph; omitted: the three pins with the largest force"}
           .as_arrays()
           .may_be_missing(),
       Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity, its magnitude; none where missing"}.usually(

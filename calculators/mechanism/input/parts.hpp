@@ -27,8 +27,8 @@ struct Origin {
 };
 struct Pair {
   Name first, second;
-  static constexpr Fields fields{NameField{&Pair::first, "first", "first link"},
-                                 NameField{&Pair::second, "second", "second link"}};
+  static constexpr Fields fields{NameField{&Pair::first, "first", "first link or point"},
+                                 NameField{&Pair::second, "second", "second link or point"}};
 };
 
 enum class MassLine { automatic, uniform, lumped };
@@ -50,12 +50,11 @@ struct Link {
           .as_arrays(),
       Field{&Link::mass, "mass", kg, "mass"}.at_least(0),
       Field{&Link::J, "J", kg_m2,
-            "moment of inertia about the mass centre; where missing that of a slender bar between two joints, of a "
-            "block of one point 0"}
+            "moment of inertia about the mass centre; omitted: slender bar between its two joints; 0 for a one-point "
+            "block"}
           .at_least(0),
       NameField{&Link::S, "S",
-                "point that is the mass centre; where missing the middle S_LINK of a bar between two joints, of a "
-                "block of one point that"}
+                "point that is the mass centre; omitted: midpoint S_LINK of the bar, or the point of a one-point block"}
           .may_be_missing(),
       Group{&Link::origin, "origin", "approximate position of the link's origin in the assembly position"}
           .as_array()
@@ -125,8 +124,7 @@ struct Joint {
           .may_be_missing(),
       Group{&Joint::radii, "radii", "two wheels: their pitch or rolling radii"}.as_array().may_be_missing(),
       Field{&Joint::radius, "radius", mm,
-            "rack, rolling_on_line: radius of the first link's wheel; cam: of its roller, where missing that of the "
-            "profile"}
+            "rack, rolling_on_line: radius of the first link's wheel; cam: of its roller, omitted: that of the profile"}
           .positive()
           .may_be_missing(),
       Field{&Joint::pressure_angle, "pressure_angle", deg, "teeth: angle of the force against the pitch line"}.within(

@@ -179,7 +179,7 @@ std::vector<std::size_t> frames_of(const Cycle& cycle, std::size_t governing, st
 
 figure::Figure animation(const AnimationSubject& subject) {
   return {"peak-position",
-          "Mechanism near the position of maximum driving effort, with forces and the force polygon "
+          "Mechanism near the position of maximum driving torque or force, with forces and the force polygon "
           "of a link",
           Animation(subject).taken()};
 }

@@ -85,9 +85,9 @@ std::array<MethodText, mechanism::Proof::methods> method_texts() {
            {Proof::released_constraints, "released_constraints",
             say("each reaction recomputed by virtual work with its constraint released: largest difference"), false},
            {Proof::virtual_power, "virtual_power",
-            say("driving effort recalculated from the power balance: maximum difference"), true},
+            say("driving torque or force recalculated from the power balance: maximum difference"), true},
            {Proof::zhukovsky, "zhukovsky_lever",
-            say("driving effort recalculated with the Zhukovsky lever: maximum difference"), true}}};
+            say("driving torque or force recalculated with the Zhukovsky lever: maximum difference"), true}}};
 }
 
 /// The position where this is largest; what is not a number counts as largest of all.

@@ -135,7 +135,8 @@ S = 1.5
           .customarily_at_least(1.5)
           .may_be_missing()
           .factor(),
-      Choice{&Input::hypothesis, "hypothesis", "strength hypothesis of the equivalent stress"}.may_be_missing()};
+      Choice{&Input::hypothesis, "hypothesis", "failure theory of the equivalent stress: Tresca or von Mises"}
+          .may_be_missing()};
 
   /// Stresses of both tubes with one interference, with or without the internal pressure.
   struct State {

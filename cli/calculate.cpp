@@ -170,8 +170,8 @@ Tree tree_of_file(const CalculateOptions& options, const terminal::SourceText& s
 int calculate(const CalculateOptions& options) {
   if (!can_write(options.output)) return wrong_input;
   if (!options.settings.empty() && options.file.empty()) {
-    std::cerr << "loadpath: '--set' is about the steps of a file\n  = help: name it with --file, or write the field as "
-                 "a flag: --T \"900 N*m\"\n";
+    std::cerr << "loadpath: '--set' changes a step of a file\n  = help: name the file with --file, or write the field "
+                 "as a flag: --T \"900 N*m\"\n";
     return wrong_input;
   }
   std::vector<terminal::SourceText> sources;

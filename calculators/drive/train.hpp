@@ -35,7 +35,7 @@ struct Train : TrainTypes {
       "Getriebe, Antriebsstrang, Übersetzung, Wirkungsgrad, Schneckengetriebe, power flow, привод, редуктор, "
       "передаточное отношение, КПД";
   static constexpr auto example = R"([project]
-title = "Drive of a conveyor"
+title = "Conveyor drive"
 
 [conveyor]
 calculator = "drive.train"

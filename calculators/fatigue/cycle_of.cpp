@@ -8,7 +8,7 @@ constexpr Stress zero = from_si<Stress>(0.0);
 
 Objection of_stresses(const Given& g) {
   if (is_set(g.sigma_max) && is_set(g.sigma_min) && g.sigma_max < g.sigma_min) {
-    return {"sigma_max is below sigma_min", "stresses are signed; exchange them"};
+    return {"sigma_max is below sigma_min", "stresses are signed: swap them"};
   }
   if (is_set(g.sigma_max) && is_set(g.sigma_m) && g.sigma_max < g.sigma_m) {
     return {"sigma_max is below the mean", "stresses count with their sign"};

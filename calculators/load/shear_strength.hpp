@@ -37,29 +37,29 @@ constexpr auto shear_strength_inputs(const char* size) {
   Behaviour Input::*const behaviour = &ShearStrength::behaviour;
   Stress Input::*const R_e = &ShearStrength::R_e;
   double Input::*const S = &ShearStrength::S;
-  return Fields{Field{tau_adm, "tau_adm", MPa, "allowable shear stress, without a further safety factor"}
-                    .positive()
-                    .usually(1, 1000)
-                    .customarily_at_most(600)
-                    .may_be_missing(),
-                Field{sigma_adm, "sigma_adm", MPa, "allowable normal stress, replaces tau_adm (with behaviour)"}
-                    .positive()
-                    .usually(1, 1500)
-                    .customarily_at_most(900)
-                    .may_be_missing(),
-                Choice{behaviour, "behaviour", "material behaviour, ductile or brittle: sets tau_adm / sigma_adm"}
-                    .may_be_missing(),
-                Field{R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}
-                    .positive()
-                    .usually(50, 2500)
-                    .customarily_at_most(most_yield_strength)
-                    .from("material", "R_e", size, "tau_adm"),
-                Field{S, "S", ratio, "safety factor against yielding, with R_e"}
-                    .at_least(1)
-                    .usually(1, 6)
-                    .customarily_at_least(1.2)
-                    .may_be_missing()
-                    .factor()};
+  return Fields{
+      Field{tau_adm, "tau_adm", MPa, "allowable shear stress, without a further safety factor"}
+          .positive()
+          .usually(1, 1000)
+          .customarily_at_most(600)
+          .may_be_missing(),
+      Field{sigma_adm, "sigma_adm", MPa, "allowable normal stress, replaces tau_adm (with behaviour)"}
+          .positive()
+          .usually(1, 1500)
+          .customarily_at_most(900)
+          .may_be_missing(),
+      Choice{behaviour, "behaviour", "material behaviour, sets the ratio tau_adm / sigma_adm"}.may_be_missing(),
+      Field{R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}
+          .positive()
+          .usually(50, 2500)
+          .customarily_at_most(most_yield_strength)
+          .from("material", "R_e", size, "tau_adm"),
+      Field{S, "S", ratio, "safety factor against yielding, with R_e"}
+          .at_least(1)
+          .usually(1, 6)
+          .customarily_at_least(1.2)
+          .may_be_missing()
+          .factor()};
 }
 
 /// Fields with bounds from a material.

@@ -113,7 +113,7 @@ n_2 = "1400 rpm"
                   "at least one part must rotate with the motor: u is 0 for all"},
       Rule<Input>{[](const Input& in) { return in.n_1 != in.n_2; }, "n_1, n_2", "initial and final speed must differ"},
       Rule<Input>{[](const Input& in) { return !in.motor.empty(); }, "motor", "give the moment of the motor or brake"},
-      Rule<Input>{&lines_rise, "motor, load", "the speeds of a line must ascend"},
+      Rule<Input>{&lines_rise, "motor, load", "the speeds of a line must increase"},
       Rule<Input>{&lines_reach, "motor, load, n_1, n_2", "a line of two points or more must reach from n_1 to n_2",
                   &short_line}};
 

@@ -137,7 +137,7 @@ void print(const Answer& answer, const std::string& searched, bool lists_all) {
   const bool alone = answer.element.empty() && answer.named.empty();
   const bool all = lists_all || (alone && answer.beyond.empty());
   all ? show(answer.mentioned) : count(answer.mentioned);
-  std::cout << "\n`loadpath describe ID` shows one on a screen, with an example that runs.\n";
+  std::cout << "\n`loadpath describe ID` shows one calculator, with a runnable example.\n";
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ constexpr std::array all{
                 "weld, welded joint, fillet weld, butt weld, weld throat, Schweißnaht, Kehlnaht, "
                 "Schweißverbindung, сварка, сварной шов, сварное соединение",
                 "fatigue.history, section.built_up"},
-    NotIncluded{"springs as machine elements: their stresses, rate and buckling",
+    NotIncluded{"spring design: stress, rate and buckling",
                 "spring, helical spring, compression spring, extension spring, leaf spring, disc spring, Belleville, "
                 "torsion spring, EN 13906, Feder, Druckfeder, Zugfeder, Tellerfeder, Blattfeder, Schraubenfeder, "
                 "пружина, рессора, тарельчатая пружина",
@@ -51,7 +51,7 @@ constexpr std::array all{
                 "Kupplung, Reibkupplung, Wellenkupplung, Gelenkwelle, Kreuzgelenk, Freilauf, муфта, сцепление, "
                 "карданный вал",
                 "dynamics.angular_momentum, machine.run_up"},
-    NotIncluded{"brakes: their linings, heat and wear",
+    NotIncluded{"brakes: lining, heat and wear",
                 "brake, disc brake, drum brake, band brake, Bremse, Scheibenbremse, Trommelbremse, Bandbremse, тормоз",
                 "machine.run_up, dynamics.work"},
     NotIncluded{

@@ -40,9 +40,15 @@ std::optional<project::Project> solved(const std::string& file) {
 /// "+12.5 %"
 std::string percent(double relative) { return (relative > 0.0 ? "+" : "") + format_number(100.0 * relative, 3) + " %"; }
 
+/// The kind in the terminal; JSON keeps its own words.
+std::string shown_kind(Difference::Kind kind) {
+  if (kind == Difference::Kind::taken) return "linked";
+  return kind == Difference::Kind::decides ? "governs" : report::word(kind);
+}
+
 Row row_of(const Difference& d) {
   const auto shown = [](const std::string& text) { return text.empty() ? std::string("none") : text; };
-  Row row{"  " + report::word(d.kind), d.name, shown(d.before), "->", shown(d.after)};
+  Row row{"  " + shown_kind(d.kind), d.name, shown(d.before), "->", shown(d.after)};
   if (d.relative) row.push_back(percent(*d.relative));
   return row;
 }
@@ -73,7 +79,7 @@ void show(const report::ProjectDifference& found, const DiffOptions& options) {
       hidden ? void(++more) : rows.push_back(row_of(d));
     }
     std::cout << terminal::columns(rows);
-    if (more != 0) std::cout << "  and " << more << (more == 1 ? " result" : " results") << " more: all with --json\n";
+    if (more != 0) std::cout << "  " << more << (more == 1 ? " more result: --json\n" : " more results: --json\n");
   }
 }
 

@@ -48,8 +48,8 @@ int refuse(const std::string& message, const std::string& hint = {}) {
 
 /// Reports a sweep of a project in which nothing varies.
 void tell_nothing_varies(const std::string& file) {
-  std::cerr << "loadpath: nothing varies in '" << file << "': this sweep has one point, that of `loadpath run`\n"
-            << "  = help: give an input many values: d = { from = \"20 mm\", to = \"40 mm\", count = 11 }, or "
+  std::cerr << "loadpath: nothing to vary in '" << file << "': this sweep has one point, that of `loadpath run`\n"
+            << "  = help: give an input a range or a list: d = { from = \"20 mm\", to = \"40 mm\", count = 11 }, or "
                "d = [\"20 mm\", \"25 mm\"]\n";
 }
 

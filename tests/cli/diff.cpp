@@ -56,7 +56,7 @@ TEST_SUITE("cli diff") {
     CHECK(contains(words, "\n chosen d 56 mm -> 60 mm +7.14 %\n"));
     CHECK(contains(words, "\n utilisation yield 0.870016 -> 0.94314 +8.4 %\n"));
     CHECK(contains(words, "\n result tau_max 26.1005 MPa -> 28.2942 MPa +8.4 %\n"));
-    CHECK(contains(words, "\n taken sigma_max 26.1005 MPa -> 28.2942 MPa +8.4 %\n"));
+    CHECK(contains(words, "\n linked sigma_max 26.1005 MPa -> 28.2942 MPa +8.4 %\n"));
     const Ran weak = diff(shaft + "d = \"56 mm\"\n", shaft + "d = \"40 mm\"\n");
     CHECK(weak.code == 1);
     CHECK(contains(in_words(weak.out), "\n verdict yield pass -> fail"));

@@ -125,7 +125,7 @@ TEST_SUITE("cli settings") {
     CHECK(contains(set.out, "\"value\": 0.08"));
     const Ran none = desk.run({"fatigue", "cycle", "--sigma_a", "9 MPa", "--r", "-1", "--set", "rod.r=0"});
     CHECK(none.code == 2);
-    CHECK(contains(none.error, "'--set' is about the steps of a file"));
+    CHECK(contains(none.error, "'--set' changes a step of a file"));
     CHECK(contains(desk.run({"fatigue", "cycle", "--file", "two.toml", "--set", "shat.d=80 mm"}).error,
                    "did you mean 'shaft'?"));
   }

@@ -207,7 +207,7 @@ TEST_SUITE("sweep command" * by_case) {
     desk.put("a.toml", "[a]\ncalculator = \"shaft.torsion\"\nT = \"1 N*m\"\nd = \"9 mm\"\ntau_adm = \"30 MPa\"\n");
     const Ran ran = desk.run({"sweep", "a.toml", "--results", "a.tau_max"});
     CHECK(ran.code == 0);
-    CHECK_MESSAGE(contains(ran.error, "nothing varies in 'a.toml'"), ran.error);
+    CHECK_MESSAGE(contains(ran.error, "nothing to vary in 'a.toml'"), ran.error);
     CHECK(contains(ran.error, "d = { from = "));
     CHECK_MESSAGE(contains(ran.out, "1 point: 1 pass"), ran.out);
     CHECK(contains(ran.out, "Nothing varies"));

@@ -79,14 +79,14 @@ TEST_SUITE("cli why") {
     CHECK(contains(why(strut, "strut.section").out, " smallest of sections/ipe with which no assessed mode fails"));
   }
 
-  TEST_CASE("a mode is told with its formulas, and beside it what decides over the step") {
+  TEST_CASE("a mode is told with its formulas, and beside it what governs the step") {
     const Ran told = why(press_of_heavy_rod + rod, "rod.buckling");
     CHECK(told.code == 4);
     CHECK(contains(told.out, ")\n  pass  buckling "));
     CHECK(contains(told.out, "\n  u = F / P_all "));
-    CHECK(before(told.out, "\ndecides over rod\n  not assessed  ", "replace with a step of link.member"));
-    CHECK_FALSE(contains(why(press_of_heavy_rod + rod, "rod.lateral").out, "decides over"));
-    CHECK_FALSE(contains(why(end, "end.yield").out, "decides over"));
+    CHECK(before(told.out, "\ngoverns rod\n  not assessed  ", "replace with a step of link.member"));
+    CHECK_FALSE(contains(why(press_of_heavy_rod + rod, "rod.lateral").out, "governs"));
+    CHECK_FALSE(contains(why(end, "end.yield").out, "governs"));
   }
 
   TEST_CASE("a result is told with its formulas alone, and the inputs that they start from") {

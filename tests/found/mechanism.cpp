@@ -191,7 +191,7 @@ TEST_SUITE("found mechanism") {
     CHECK(contains(messages_of(axle + "T = \"1 N*m\"\nd = { stock = \"R20\", max = \"50 mm\" }\n"),
                    "'max' is not a valid key here"));
     CHECK(contains(messages_of(axle + "T = { mean = \"1 N*m\", sd = \"100 kg\" }\n"),
-                   "'sd' is a difference of two values: a moment"));
+                   "'sd' must be a moment: it is the difference of two values"));
     CHECK(contains(messages_of(axle + "T = \"1 N*m\"\n[[expect]]\nvalue = \"axle.d\"\nis = \"1 mm\"\nwithin = \"10000 "
                                       "%\"\nsource = \"x\"\n"),
                    "within must be < 100 %"));

@@ -104,7 +104,7 @@ gamma_F = 1
           Rule<Input>{&kind_fits, "kind, families", "round tubes must be hot_hollow or cold_hollow", &kind_of_tubes},
           Rule<Input>{&fibres_known, "e_y, e_z, e_0y, e_0z, families",
                       "the distance of the extreme fibre of these sections is unknown", &no_fibre},
-          Rule<Input>{&strengths_rise, "strengths", "the thicknesses of the strengths must ascend"},
+          Rule<Input>{&strengths_rise, "strengths", "the thicknesses of the strengths must increase"},
           Rule<Input>{&one_strength, "strengths, R_e", "give R_e, or strengths by thickness, not both"},
           Rule<Input>{&strength_in_tension, "N, R_e",
                       "a bar in tension is assessed by its yield strength: give R_e, or a material"},

@@ -92,7 +92,7 @@ class CourseCheck {
     if (points.size() == 1) return add(course, field, say("one point is not a load curve"), say("add another"));
     const auto late = [&](const auto& a, const auto& b) { return !(x(b) > x(a)); };
     if (std::adjacent_find(points.begin(), points.end(), late) != points.end())
-      add(course, field, say("the places of '{1}' must ascend", field));
+      add(course, field, say("the places of '{1}' must increase", field));
   }
 
   void check_formula(const Course& course, const Written& written) {

@@ -108,7 +108,7 @@ class LawCheck {
       add(path, say("a law of motion has two moments or more"), say("write law = [[\"0 s\", ...], [\"1 s\", ...]]"));
     const auto late = [](const auto& a, const auto& b) { return !(b.t > a.t); };
     if (std::adjacent_find(drive.law.begin(), drive.law.end(), late) != drive.law.end())
-      add(path, say("the times of a law must ascend"));
+      add(path, say("the times of a law must increase"));
   }
 
   template <class Drive>

@@ -103,7 +103,7 @@ std::vector<FieldFault> check_shares(const Mechanism::Input& in) {
                         say("leave it out, or drive by a crank")});
     for (std::size_t n = 1; n < over.size(); ++n) {
       if (over[n].angle > over[n - 1].angle) continue;
-      faults.push_back({path_of(in.loads[k], k) + ".over", say("the crank angles of 'over' must ascend"), {}});
+      faults.push_back({path_of(in.loads[k], k) + ".over", say("the crank angles of 'over' must increase"), {}});
       break;
     }
     if (over[over.size() - 1].angle - over[0].angle > 2.0 * pi * in.crank.turns * (1.0 + 1e-12))

@@ -82,12 +82,13 @@ Message fault_of_size(const Notched& notch, const Around& there) {
     const bool among =
         notch.d >= (1.0 - one_place) * thinnest(there.before) && notch.d <= (1.0 + one_place) * thickest(there.before);
     return among ? Message{}
-                 : say("it is made for {1}, and the shaft tapers from {2} to {3} at {4}", format(notch.d),
-                       format(there.before.d), format(right_diameter(there.before)), format(notch.x));
+                 : say("the key is for a shaft of {1}, but the shaft tapers from {2} to {3} at x = {4}",
+                       format(notch.d), format(there.before.d), format(right_diameter(there.before)), format(notch.x));
   }
   const Length own = there.sides.right.d;
   if (abs(notch.d - own) <= one_place * own) return {};
-  return say("it is made for {1}, and the shaft has {2} at {3}", format(notch.d), format(own), format(notch.x));
+  return say("the notch is for a shaft of {1}, but the shaft has {2} at x = {3}", format(notch.d), format(own),
+             format(notch.x));
 }
 
 /// Minimum stress concentration of a fillet of this radius: the chart, at the nearer end of its range if outside, and

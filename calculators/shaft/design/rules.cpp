@@ -221,11 +221,11 @@ FieldFault Design::loose_thrust(const Input& in) {
     last = i;
   }
   if (names.empty())
-    return {"supports", say("exactly one bearing must take axial forces: holds = \"both\" is given of none"),
+    return {"supports", say("exactly one bearing must take axial forces: holds = \"both\" is given for none"),
             say("write holds = \"both\" for one of the supports")};
   return {place_of("supports", in.supports, last, "holds"),
-          say("exactly one bearing must take axial forces: holds = \"both\" is given of {1}", names),
-          say("leave out holds of all but one")};
+          say("only one bearing can be the locating bearing: holds = \"both\" is given for {1}", names),
+          say("remove holds from all but one")};
 }
 
 bool Design::slopes_of_all(const Input& in) {

@@ -68,7 +68,8 @@ std::optional<double> Many::difference(const Tree& value, std::string_view key) 
   const auto literal = value.type == Tree::Type::text ? parse_literal(value.text, {dimension, Kind::difference, ""})
                                                       : Outcome<Literal>(Fault{});
   if (literal) return literal->si;
-  refuse(value.place, say("'{1}' is a difference of two values: a {2}", key, name_of(dimension)), literal.fault().hint);
+  refuse(value.place, say("'{1}' must be a {2}: it is the difference of two values", key, name_of(dimension)),
+         literal.fault().hint);
   return std::nullopt;
 }
 

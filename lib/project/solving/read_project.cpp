@@ -255,7 +255,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   if (project.steps.empty() && !has_errors(issues)) {
     issues.push_back({{file, 0, 0, 1},
                       "",
-                      say("the project has no step"),
+                      say("the project has no steps"),
                       say("a step is a table with a key calculator = \"...\""),
                       Severity::error});
   }

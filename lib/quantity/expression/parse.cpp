@@ -96,7 +96,7 @@ Node Parser::group() {
   take('(');
   Node node = sum();
   if (done()) {
-    fail(open, 1, say("'(' is not closed"), say("write ')' behind its last value"));
+    fail(open, 1, say("'(' is not closed"), say("write ')' after its last value"));
   } else if (!take(')')) {
     fail_unexpected();
   }
@@ -203,7 +203,7 @@ void Parser::arguments(Node& node, std::size_t open) {
   do node.kids.push_back(sum());
   while (take(','));
   if (done()) {
-    fail(open, 1, say("'(' is not closed"), say("write ')' behind its last value"));
+    fail(open, 1, say("'(' is not closed"), say("write ')' after its last value"));
   } else if (!take(')')) {
     fail_unexpected();
   }

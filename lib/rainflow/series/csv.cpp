@@ -103,7 +103,7 @@ std::optional<Fault> CsvReader::find_column(const std::vector<std::string>& fiel
   if (form_.column.empty()) {
     if (fields.size() == 1) return std::nullopt;
     return at_line(say("line {1} has {2} columns: say which, by its name or its number from 1", line, count),
-                   separator_ == ',' ? say("a decimal sign is a point, not a comma") : Message{});
+                   separator_ == ',' ? say("separate the columns with ';' if a comma is the decimal mark") : Message{});
   }
   const auto number = place_in_text(form_.column);
   if (!number) return find_name(fields);
@@ -150,9 +150,9 @@ bool CsvReader::runs_over(std::string_view line) const {
 
 Fault CsvReader::too_many(std::string_view line) const {
   const std::string count = std::to_string(fields_of(line, separator_).size());
-  return at_line(say("line {1} has {2} columns, and the first one has {3}", std::to_string(lines_.number()), count,
+  return at_line(say("line {1} has {2} columns, but the first line has {3}", std::to_string(lines_.number()), count,
                      std::to_string(columns_)),
-                 separator_ == ',' ? say("a decimal sign is a point, not a comma") : Message{});
+                 separator_ == ',' ? say("separate the columns with ';' if a comma is the decimal mark") : Message{});
 }
 
 Fault CsvReader::not_a_number(std::string_view line) const {
@@ -161,7 +161,7 @@ Fault CsvReader::not_a_number(std::string_view line) const {
   if (field.empty()) return at_line(say("line {1} has no number in column {2}", number, column));
   const bool has_comma = field.find(',') != std::string_view::npos;
   return at_line(say("line {1}: '{2}' in column {3} is not a finite number", number, shown(field), column),
-                 has_comma ? say("a decimal sign is a point, not a comma") : Message{});
+                 has_comma ? say("the decimal mark is a point, not a comma") : Message{});
 }
 
 Outcome<std::span<const double>> CsvReader::next() {

@@ -95,7 +95,7 @@ void show_head(const Step& step) {
 void show_obstacle(const Step& step, const std::string& asked) {
   const auto mode = report::deciding(step.account().modes);
   if (!mode || mode->id == asked || rank(mode->state) <= rank(account::State::open)) return;
-  std::cout << "decides over " << step.name() << "\n" << columns({mode_row(*mode, mode->id)});
+  std::cout << "governs " << step.name() << "\n" << columns({mode_row(*mode, mode->id)});
 }
 
 }  // namespace

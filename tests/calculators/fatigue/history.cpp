@@ -247,7 +247,7 @@ TEST_SUITE("fatigue.history") {
     std::ofstream(folder / "unit.csv") << "S\n0 ksi\n60 ksi\n";
     for (const char* name : {"comma", "unit"})
       CHECK(errors_of_history("{ file = \"" + folder.string() + "/" + name + ".csv\", column = \"S\", unit = \"MPa\" }")
-                .find("columns, and the first one has") != std::string::npos);
+                .find("columns, but the first line has") != std::string::npos);
     CHECK(errors_of_history("{ file = \"" + path + ".bin\", unit = \"MPa\" }").size() > 0);
     CHECK(errors_of_history("{ file = \"/dev/zero\", unit = \"MPa\", form = \"f64\" }")
               .find("file '/dev/zero' does not exist") == 0);

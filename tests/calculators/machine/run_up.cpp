@@ -77,7 +77,7 @@ TEST_SUITE("machine run up") {
     const std::string rows[][2] = {
         {"motor = [[\"0 rpm\", \"1 N*m\"]]\nn_2 = \"0 rpm\"\n", "initial and final speed must differ"},
         {"motor = []\nn_2 = \"9 rpm\"\n", "is empty"},
-        {"motor = [[\"9 rpm\", \"1 N*m\"], [\"9 rpm\", \"2 N*m\"]]\nn_2 = \"9 rpm\"\n", "must ascend"},
+        {"motor = [[\"9 rpm\", \"1 N*m\"], [\"9 rpm\", \"2 N*m\"]]\nn_2 = \"9 rpm\"\n", "must increase"},
         {"motor = [[\"0 rpm\", \"1 N*m\"], [\"9 rpm\", \"2 N*m\"]]\nn_2 = \"10 rpm\"\n", "the line goes from"},
         {"motor = [[\"0 Hz\", \"1 N*m\"]]\nn_2 = \"10 rpm\"\n", "Hz"}};
     for (const auto& row : rows) {

@@ -111,7 +111,7 @@ TEST_SUITE("project") {
 
   TEST_CASE("an empty project is refused") {
     const std::string said =
-        "a.toml: error: the project has no step\n  = help: a step is a table with a key calculator = \"...\"\n";
+        "a.toml: error: the project has no steps\n  = help: a step is a table with a key calculator = \"...\"\n";
     CHECK(issues_of("") == said);
     CHECK(issues_of("[project]\ntitle = \"nothing\"\n") == said);
   }

@@ -166,7 +166,7 @@ TEST_SUITE("rainflow series") {
       CHECK(csv("x\n1\n" + bad + "\n", "x", ',').message == "line 3: '" + bad + "' in column 1 is not a finite number");
     CHECK(csv("t;F\n1;2,5,1\n", "F").message == "line 2: '2,5,1' in column 2 is not a finite number");
     CHECK(csv("1,2\n").message == "line 1 has 2 columns: say which, by its name or its number from 1");
-    CHECK(csv("1,2\n").hint == "a decimal sign is a point, not a comma");
+    CHECK(csv("1,2\n").hint == "separate the columns with ';' if a comma is the decimal mark");
     CHECK(csv("1 2\n3\n", "2").message == "line 2 has no number in column 2");
     CHECK(csv("1,2\n3,\n", "2").message == "line 2 has no number in column 2");
     CHECK(csv("1,2\n", "3").message == "line 1 has 2 columns, and no column 3");

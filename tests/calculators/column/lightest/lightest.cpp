@@ -291,7 +291,7 @@ TEST_SUITE("column lightest") {
     const std::string thin = "strengths = [[\"16 mm\", \"235 MPa\"], [\"40 mm\", \"225 MPa\"]]\n";
     CHECK(complaints(bar + thin).empty());
     says(bar + thin + "R_e = \"355 MPa\"\n", "give R_e, or strengths by thickness, not both");
-    says(bar + "strengths = [[\"40 mm\", \"225 MPa\"], [\"16 mm\", \"235 MPa\"]]\n", "must ascend");
+    says(bar + "strengths = [[\"40 mm\", \"225 MPa\"], [\"16 mm\", \"235 MPa\"]]\n", "must increase");
     says(bar + "strengths = [[\"10 mm\", \"235 MPa\"]]\n", "no strength given for its thickness");
     says(replaced(bar + "strengths = [[\"20 mm\", \"235 MPa\"]]\n", "900 kN", "5 MN"),
          "no section of HEM whose strength is given carries 5000 kN");

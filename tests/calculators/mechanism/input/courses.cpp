@@ -113,7 +113,7 @@ TEST_SUITE("courses") {
     CHECK(first_error(by_course("stroke_of = \"guide\"")) ==
           "a load curve has its shares in one of five forms, and 'it' in none");
     CHECK(first_error(by_course("over_stroke = [[\"250 mm\", 0], [\"150 mm\", 1]]")) ==
-          "the places of 'over_stroke' must ascend");
+          "the places of 'over_stroke' must increase");
     CHECK(first_error(by_course("over_time = [[\"0 s\", 1]]")) == "one point is not a load curve");
     CHECK(first_error(by_course("over_stroke = [[\"0 mm\", 0], [\"1 m\", 1]]\ncourses.it.stroke_of = \"A\"")) ==
           "'A' is not a cylinder, prismatic joint or slot");

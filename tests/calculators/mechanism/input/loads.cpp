@@ -113,7 +113,7 @@ TEST_SUITE("mechanism faults") {
 
   TEST_CASE("loads over the crank angle") {
     CHECK(message_of("F_y = \"0 N\"", "F_y = \"0 N\"\nover = [[\"90 deg\", 1], [\"20 deg\", 0]]") ==
-          "the crank angles of 'over' must ascend");
+          "the crank angles of 'over' must increase");
     CHECK(message_of("F_y = \"0 N\"", "F_y = \"0 N\"\nover = [[\"0 deg\", 1], [\"400 deg\", 0]]") ==
           "the crank angles of 'over' reach round more than one cycle");
   }
@@ -122,7 +122,7 @@ TEST_SUITE("mechanism faults") {
     CHECK(message_of("speed = \"300 rpm\", positions = 72 }", "law = [[\"0 s\", \"0 deg\"]] }") ==
           "a law of motion has two moments or more");
     CHECK(message_of("speed = \"300 rpm\", positions = 72 }",
-                     "law = [[\"1 s\", \"0 deg\"], [\"0.5 s\", \"90 deg\"]] }") == "the times of a law must ascend");
+                     "law = [[\"1 s\", \"0 deg\"], [\"0.5 s\", \"90 deg\"]] }") == "the times of a law must increase");
     CHECK(with("speed = \"300 rpm\", positions = 72 }", "law = [[\"0 s\", \"10 deg\"], [\"0.5 s\", \"90 deg\"]] }")
               .empty());
   }

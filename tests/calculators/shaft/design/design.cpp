@@ -159,9 +159,9 @@ TEST_SUITE("shaft design") {
     CHECK(contains(messages("supports = [{ x = \"10 mm\" }, { x = \"190 mm\" }]\nseats = [{ x = \"50 mm\", F_z = \"9 "
                             "N\" }]\n"),
                    "exactly one bearing must take axial forces: holds = \"both\""));
-    CHECK(contains(messages("supports = [{ x = \"10 mm\", holds = \"both\" }, { x = \"190 mm\", holds = \"both\" }]\n"),
-                   "exactly one bearing must take axial forces: holds = \"both\" is given of 'supports[1]' and "
-                   "'supports[2]'"));
+    CHECK(contains(
+        messages("supports = [{ x = \"10 mm\", holds = \"both\" }, { x = \"190 mm\", holds = \"both\" }]\n"),
+        "only one bearing can be the locating bearing: holds = \"both\" is given for 'supports[1]' and 'supports[2]'"));
     CHECK(contains(messages(two_bearings + "seats = [{ x = \"50 mm\", way = \"drives\", T = \"9 N*m\" }]\n"),
                    "write way = \"takes\" for what is driven"));
     const std::string wheel =
@@ -282,7 +282,7 @@ TEST_SUITE("shaft design") {
     CHECK(apart.mode("key.fatigue").state == State::not_judged);
     CHECK(taken.mode("key.fatigue").state == taken.mode("axle.fatigue").state);
     CHECK(contains(Solved(shaft + notched + key + "d = \"42 mm\"\n").errors(),
-                   "it is made for 42 mm, and the shaft has 40 mm"));
+                   "the notch is for a shaft of 42 mm, but the shaft has 40 mm"));
     const std::string reversing = test::with(key, "torque", "\"reversing\"");
     CHECK(contains(Solved(shaft + notched + reversing + "d = \"40 mm\"\n").errors(), "its torque falls to -1"));
   }

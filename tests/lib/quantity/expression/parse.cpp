@@ -38,7 +38,7 @@ void check_wrong(const Wrong& wrong) {
 
 constexpr std::string_view value_hint = "write a number, a reference such as lever.drive.M, or a function";
 constexpr std::string_view unit_hint = "a unit is written as in 30 N/mm^2; to raise the quantity write (3 mm)^2";
-constexpr std::string_view close_hint = "write ')' behind its last value";
+constexpr std::string_view close_hint = "write ')' after its last value";
 constexpr std::string_view times_hint = "write * between them";
 
 }  // namespace

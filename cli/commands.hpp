@@ -77,7 +77,7 @@ struct CalculateOptions {
   /// Fields of any step of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
   std::vector<std::string> because;   // inputs with reasons: "R_e=certificate 4711"
-  std::vector<std::string> accepted;  // failure modes with reasons: "pitting=rated by the maker"
+  std::vector<std::string> accepted;  // failure modes with reasons: "pitting=rated by the manufacturer"
   OutputOptions output;
 };
 int calculate(const CalculateOptions& options);

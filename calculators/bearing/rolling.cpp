@@ -23,7 +23,7 @@ struct Equivalent {
   Force P = unset<Force>;
 };
 
-/// e and Y of the maker's table, or by f_0.
+/// e and Y of the manufacturer's table, or by f_0.
 template <class Tracer>
 void find_factors(const Input& in, Force F_aK, Equivalent& q, Tracer& trace) {
   q.e = in.e, q.Y = in.Y;

@@ -2,10 +2,10 @@
 //
 // Decides L_10 = (C/P)^p of [ISO281] with the reliability a_1, for one load or for blocks of load and speed, against
 // the required life; s_0 = C_0/P_0 of [ISO76]; the minimum load against skidding. C, C_0, the factors and the speed
-// are those of the maker's table; deep groove ball bearings have theirs by f_0. For a bearing with one axial load
-// direction F_a is positive in that direction and includes the induced axial force, or the mate of the pair is given;
-// for others its sign has no effect. K_A acts once: on all loads but those at rest, F_r0 and F_a0. a_ISO by viscosity
-// ratio, e_C and C_u. Not covered: annex A of e_C, swinging, clearance, tilt, spherical thrust bearings.
+// are those of the manufacturer's table; deep groove ball bearings have theirs by f_0. For a bearing with one axial
+// load direction F_a is positive in that direction and includes the induced axial force, or the mate of the pair is
+// given; for others its sign has no effect. K_A acts once: on all loads but those at rest, F_r0 and F_a0. a_ISO by
+// viscosity ratio, e_C and C_u. Not covered: annex A of e_C, swinging, clearance, tilt, spherical thrust bearings.
 #pragma once
 
 #include "calculators/bearing/rolling_bounds.hpp"

@@ -61,7 +61,7 @@ double highest_limiting_speed(const Input& in) {
   constexpr double speed_of_1_kN = 2.5e5;
   return in_si(speed_of_1_kN * rpm.one) * std::sqrt(1e3 * N.one / in.C);
 }
-/// Makers' formulas give less than the customary 0.01 C at high speeds, a tenth of it at least.
+/// Manufacturers' formulas give less than the customary 0.01 C at high speeds, a tenth of it at least.
 template <class Input>
 double least_minimum_load(const Input& in) {
   constexpr double share = 0.001;

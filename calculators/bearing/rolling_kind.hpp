@@ -109,7 +109,7 @@ constexpr double static_radial_factor(Kind kind) {
   return at_an_angle(kind) ? 0.5 : 1.0;
 }
 
-/// Y_0 of a kind: 0 if the static load is only the radial one; none if it is in the maker's table.
+/// Y_0 of a kind: 0 if the static load is only the radial one; none if it is in the manufacturer's table.
 constexpr double static_axial_factor(Kind kind) {
   if (kind == Kind::deep_groove_ball) return 0.5;
   return takes_radial_alone(kind) || bears_on_ribs(kind) ? 0.0 : unset<double>;

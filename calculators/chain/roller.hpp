@@ -3,9 +3,9 @@
 // Decides the even number of links and the centre distance that belongs to it, exactly in both directions for a chain
 // that lies on circles of z p/(2 pi); speeds, chordal action, tension with centrifugal force and sag, and the
 // capacity of the chain. Wear and fatigue of plates and rollers govern a chain, not its breaking load: that safety
-// factor is not a sufficient criterion. The rated power of the chain maker goes in as P_R, on the basis of ISO 10823
-// (19 teeth, 15 000 h, 120 links). K_A acts once: on the tension from the power. Not covered: idlers, more than two
-// sprockets, vertical drives' sag.
+// factor is not a sufficient criterion. The rated power of the chain manufacturer goes in as P_R, on the basis of ISO
+// 10823 (19 teeth, 15 000 h, 120 links). K_A acts once: on the tension from the power. Not covered: idlers, more than
+// two sprockets, vertical drives' sag.
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"

@@ -1,7 +1,7 @@
 // Set screws that hold a hub on its shaft: torque and force along the shaft against what the points hold.
 //
 // Decides by the holding power of a screw with a cup point, which bears along and around the shaft alike, at its
-// surface: tests of makers, [SPS], at the seating torque of the table; other points hold 1.07 (cone),
+// surface: tests of manufacturers, [SPS], at the seating torque of the table; other points hold 1.07 (cone),
 // 0.92 (flat, dog) and 0.90 (oval) of it, [SPS]. Two screws hold phi times two, typed: with an angle between them they
 // hold less than twice one. These are mean values of tests: a safety of 1.5 to 2 for loads at rest and 4 to 8 for
 // others, [SPS]. K_A acts once. Screws up to half as thick as the shaft: the point of a larger one does not bear on the

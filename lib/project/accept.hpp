@@ -9,8 +9,8 @@
 
 namespace loadpath::project {
 
-/// accept.pitting = "rated by the maker, drawing 12". A mode that the calculator does not have, or no reason, is an
-/// issue.
+/// accept.pitting = "rated by the manufacturer, drawing 12". A mode that the calculator does not have, or no reason, is
+/// an issue.
 void read_accepted(const toml::Tree& table, StepInput& input, std::vector<Issue>& issues);
 
 /// Applies the acceptances of the step to the mode: never to a failure, nor outside the validity of a method.

@@ -51,7 +51,7 @@ struct StepInput {
   std::shared_ptr<const table::Tables> tables;  // tables for its rows and stocks; never null
   /// Rows that the step names for its providers: "material" -> "C45E".
   std::map<std::string, Typed> rows;
-  /// Failure modes that the user answers for, and why: "pitting" -> "rated by the maker, drawing 12".
+  /// Failure modes that the user answers for, and why: "pitting" -> "rated by the manufacturer, drawing 12".
   std::map<std::string, Typed> accepted;
   /// Reasons why a typed value is better than that of a row or a record: "R_e" -> "certificate 4711".
   std::map<std::string, Typed> because;

@@ -64,7 +64,7 @@ TEST_SUITE("cli own tables") {
     CHECK(contains(desk.run({"run", "press.toml", "--json"}).out, source));
     desk.put("bearing.toml", blocks[3]);
     const Ran bearing = desk.run({"run", "bearing.toml", "--json"});
-    CHECK_MESSAGE(contains(bearing.out, "list of the maker, 2026, page 12"), bearing.error);
+    CHECK_MESSAGE(contains(bearing.out, "list of the manufacturer, 2026, page 12"), bearing.error);
   }
 
   TEST_CASE("a file of tables is found beside the project, wherever it is run from") {

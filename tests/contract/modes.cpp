@@ -82,7 +82,7 @@ TEST_SUITE("contract" * test::by_element) {
           CHECK_MESSAGE(known, key, " is no check and no limit of it");
         }
         for (const std::string& key : listed_keys(mode.wants))
-          CHECK_MESSAGE(find_field(c->input->fields, key.substr(0, key.find(' '))) != nullptr, key,
+          CHECK_MESSAGE(find_field(c->input->fields, key.substr(0, key.find_first_of(" ["))) != nullptr, key,
                         " is no input of it");
       }
     }

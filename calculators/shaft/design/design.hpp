@@ -326,24 +326,24 @@ r_T = 0
       Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y, s_max").of_service(),
       Mode<Input>{"slope_bearings", "shaft slope at bearings", &loaded}
           .judged_by("bearings.u_beta, s_max")
-          .wanting("supports beta_adm")
+          .wanting("supports[].beta_adm")
           .of_service(),
       Mode<Input>{"slope_seats", "shaft slope at mounted components", &loaded}
           .judged_by("seats.u_beta, s_max")
-          .wanting("seats beta_adm")
+          .wanting("seats[].beta_adm")
           .of_service(),
       Mode<Input>{"twist", "angle of twist per unit length", &loaded}.judged_by("u_theta, s_max").of_service(),
       Mode<Input>{"critical_bending", "lateral critical speed (whirling)", &running}
           .judged_by("u_n, s_max")
-          .wanting("rho, seats mass")
+          .wanting("rho, seats[].mass")
           .in_service(),
       Mode<Input>{"discs", "gyroscopic effect of attached discs", &bears_discs}
-          .wanting("seats I_p, seats I_d")
+          .wanting("seats[].I_p, seats[].I_d")
           .special(),
       Mode<Input>{"whirl_orders", "whirl excitation by higher orders", &unseen<Input>}.special(),
       Mode<Input>{"critical_torsion", "torsional critical speed", &running}
           .judged_by("harmonics.u_h, s_max")
-          .wanting("rho, seats J")
+          .wanting("rho, seats[].J")
           .in_service(),
       Mode<Input>{"resonance", "passage through torsional resonance", &passes_resonance}.special(),
       Mode<Input>{"train", "torsional vibration of the drive train", &unseen<Input>}.special(),
@@ -356,13 +356,13 @@ r_T = 0
       Mode<Input>{"wall", "local buckling of thin walls", &thin_wall},
       Mode<Input>{"abutment", "shoulder (abutment) height", &abuts}.judged_by("sections.u_h").of_shape(),
       Mode<Input>{"hub", "keys, splines and press fits", &lacks_connection}
-          .wanting("seats connection")
+          .wanting("seats[].connection")
           .assessed_beside("shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw, pin.cross"),
       Mode<Input>{"connection", "torque capacity of shaft-hub connections", &has_connection}.judged_by(
           "seats.x_c, seats.x_peak"),
-      Mode<Input>{"pushed", "axial load on shaft-hub connections", &pushes_hubs}.wanting("seats F_c"),
+      Mode<Input>{"pushed", "axial load on shaft-hub connections", &pushes_hubs}.wanting("seats[].F_c"),
       Mode<Input>{"seat_fatigue", "shaft fatigue under hubs, notch of the connection missing", &lacks_notch}.wanting(
-          "notches part"),
+          "notches[].part"),
       Mode<Input>{"notch_factors", "notch factors of the connection", &has_mild_notch}.advising(
           "use the notch of the connection, part = \"=key.notch\", or give the source: accept.notch_factors "
           "= \"...\""),

@@ -168,7 +168,7 @@ TEST_SUITE("shaft design") {
         "seats = [{ x = \"50 mm\", T = \"9 N*m\", way = \"drives\", n = \"500 rpm\" }, { x = \"90 "
         "mm\", T = \"9 N*m\", way = \"takes\" }]\n";
     CHECK(Solved(bare + two_bearings + wheel).mode("axle.critical_torsion").wants ==
-          "seats J");  // the material gives rho
+          "seats[].J");  // the material gives rho
     std::string negative = bare + two_bearings;
     negative.replace(negative.find("200 mm"), 6, "-30 mm");
     CHECK(contains(Solved(negative).errors(), "must be > 0 mm"));

@@ -42,15 +42,14 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
     static constexpr Fields fields{
         NameField{&Part::name, "name", "name of the part"}.may_be_missing(),
         Field{&Part::J_1, "J_1", kg_m2, "moment of inertia before"}.positive().may_be_missing(),
-        Field{&Part::J_2, "J_2", kg_m2, "moment of inertia after; as before where missing"}.positive().may_be_missing(),
+        Field{&Part::J_2, "J_2", kg_m2, "moment of inertia after; omitted: as before"}.positive().may_be_missing(),
         Field{&Part::mass, called("m"), kg, "point mass, replaces J_1"}.positive().may_be_missing(),
         Field{&Part::R_1, "R_1", mm, "its distance from the axis before"}.positive().may_be_missing(),
-        Field{&Part::R_2, "R_2", mm, "its distance from the axis after; as before where missing"}
+        Field{&Part::R_2, "R_2", mm, "its distance from the axis after; omitted: as before"}
             .positive()
             .may_be_missing(),
         Field{&Part::omega_1, "omega_1", rad_per_s, "angular velocity before, signed"},
-        Field{&Part::omega_2, "omega_2", rad_per_s, "angular velocity after; where missing it is to be found"}
-            .may_be_missing()};
+        Field{&Part::omega_2, "omega_2", rad_per_s, "angular velocity after; omitted: to be found"}.may_be_missing()};
   };
   static constexpr std::size_t most_parts = 16;
 

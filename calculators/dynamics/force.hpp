@@ -53,8 +53,8 @@ t_2 = "1.9 s"
   static constexpr Fields inputs{
       Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
       FormulaField{&Input::x, "x", "coordinate as a formula of the time t: \"3 m*sin(pi*t/(1 s))\""},
-      FormulaField{&Input::y, "y", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
-      FormulaField{&Input::z, "z", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
+      FormulaField{&Input::y, "y", "coordinate as a formula of the time t; omitted: 0"}.may_be_missing(),
+      FormulaField{&Input::z, "z", "coordinate as a formula of the time t; omitted: 0"}.may_be_missing(),
       Field{&Input::t, "t", sec, "time at which the force is calculated"},
       Field{&Input::F_x, "F_x", N, "known forces along x: weight, loads"}.load(),
       Field{&Input::F_y, "F_y", N, "known forces along y"}.load(),

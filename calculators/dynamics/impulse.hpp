@@ -48,7 +48,7 @@ v_1x = "-1 m/s"
   static constexpr Fields inputs{
       Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
       FormulaField{&Input::F_x, "F_x", "force along x as a formula of the time t: \"500 N*sin(pi*t/(20 ms))\""}.load(),
-      FormulaField{&Input::F_y, "F_y", "force along y as a formula of the time t; none where missing"}
+      FormulaField{&Input::F_y, "F_y", "force along y as a formula of the time t; omitted: none"}
           .load()
           .may_be_missing(),
       Field{&Input::t_1, "t_1", sec, "time at which the force starts"},

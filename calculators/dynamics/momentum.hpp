@@ -43,7 +43,7 @@ bodies = [
         NameField{&Body::name, "name", "name of the body"}.may_be_missing(),
         Field{&Body::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e7),
         Field{&Body::v_1, "v_1", m_per_s, "velocity before"},
-        Field{&Body::v_2, "v_2", m_per_s, "velocity after; where missing it is to be found"}.may_be_missing()};
+        Field{&Body::v_2, "v_2", m_per_s, "velocity after; omitted: to be found"}.may_be_missing()};
   };
   static constexpr std::size_t most_bodies = 16;
 

@@ -65,8 +65,8 @@ t_2 = "10 s"
       FormulaField{
           &Input::F_x, "F_x",
           "sum of the forces along x as a formula, e.g. \"-20 N/m*x\"; variables: x, y, z, v_x, v_y, v_z, v, t"},
-      FormulaField{&Input::F_y, "F_y", "sum of the forces along y; 0 where missing"}.may_be_missing(),
-      FormulaField{&Input::F_z, "F_z", "sum of the forces along z; 0 where missing"}.may_be_missing(),
+      FormulaField{&Input::F_y, "F_y", "sum of the forces along y; omitted: 0"}.may_be_missing(),
+      FormulaField{&Input::F_z, "F_z", "sum of the forces along z; omitted: 0"}.may_be_missing(),
       Field{&Input::x_0, "x_0", m, "coordinate x at the start"},
       Field{&Input::y_0, "y_0", m, "coordinate y at the start"},
       Field{&Input::z_0, "z_0", m, "coordinate z at the start"},

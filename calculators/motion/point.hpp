@@ -62,8 +62,8 @@ t_2 = "2 s"
   };
   static constexpr Fields inputs{
       FormulaField{&Input::x, "x", "coordinate as a formula of the time t: \"3 m*sin(pi*t/(1 s))\""},
-      FormulaField{&Input::y, "y", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
-      FormulaField{&Input::z, "z", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
+      FormulaField{&Input::y, "y", "coordinate as a formula of the time t; omitted: 0"}.may_be_missing(),
+      FormulaField{&Input::z, "z", "coordinate as a formula of the time t; omitted: 0"}.may_be_missing(),
       Field{&Input::t, "t", sec, "time at which the state is calculated"},
       Field{&Input::t_1, "t_1", sec, "start of the time range for path and distance, with t_2"}.may_be_missing(),
       Field{&Input::t_2, "t_2", sec, "end of the range, after t_1"}.may_be_missing(),

@@ -54,9 +54,9 @@ zeta = "12 m"
       FormulaField{&Input::theta, "theta", "nutation, angle from z to the axis zeta of the spin, as a formula of t"}
           .may_be_missing(),
       FormulaField{&Input::phi, "phi", "spin about zeta as a formula of t"}.may_be_missing(),
-      FormulaField{&Input::x, "x", "coordinate of the pole as a formula of t; stays 0 where missing"}.may_be_missing(),
-      FormulaField{&Input::y, "y", "coordinate of the pole as a formula of t; stays 0 where missing"}.may_be_missing(),
-      FormulaField{&Input::z, "z", "coordinate of the pole as a formula of t; stays 0 where missing"}.may_be_missing(),
+      FormulaField{&Input::x, "x", "coordinate of the pole as a formula of t; omitted: 0"}.may_be_missing(),
+      FormulaField{&Input::y, "y", "coordinate of the pole as a formula of t; omitted: 0"}.may_be_missing(),
+      FormulaField{&Input::z, "z", "coordinate of the pole as a formula of t; omitted: 0"}.may_be_missing(),
       Field{&Input::t, "t", sec, "time at which the state is calculated"},
       Field{&Input::xi, "xi", m, "coordinate of the point in the axes of the body"}.usually(-1e4, 1e4),
       Field{&Input::eta, "eta", m, "coordinate of the point in the axes of the body"}.usually(-1e4, 1e4),

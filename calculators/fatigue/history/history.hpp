@@ -113,17 +113,15 @@ n_req = 1
             "detail of DNV-RP-C203: lg a of its first branch, N = a S^-m_1, S the range in MPa; C in air 12.592"}
           .within(5, 40)
           .may_be_missing(),
-      Field{&Input::m_1, "m_1", ratio, "the same: slope of the first branch; 3 where missing"}
+      Field{&Input::m_1, "m_1", ratio, "the same: slope of the first branch; omitted: 3"}
           .within(1, 20)
           .usually(3, 5)
           .may_be_missing(),
-      Field{&Input::m_2, "m_2", ratio, "slope of the second branch; 5 where missing"}
+      Field{&Input::m_2, "m_2", ratio, "slope of the second branch; omitted: 5"}
           .within(1, 40)
           .usually(5, 9)
           .may_be_missing(),
-      Field{&Input::N_1, "N_1", ratio, "cycles where the branches meet; 1e7 where missing"}
-          .at_least(1e4)
-          .may_be_missing(),
+      Field{&Input::N_1, "N_1", ratio, "cycles where the branches meet; omitted: 1e7"}.at_least(1e4).may_be_missing(),
       Choice{&Input::mean, "mean", "mean stress correction, with the curve of a part"}.may_be_missing(),
       Field{&Input::M, "M", ratio, "mean stress sensitivity, for mean = \"fkm\": of steel 0.35e-3 R_m/MPa - 0.1"}
           .within(0, 1)

@@ -40,7 +40,7 @@ struct Course {
           .may_be_missing(),
       FormulaField{&Course::share_of_s, "share_of_s", "share as a formula of the stroke s: (80 mm)/s"}.may_be_missing(),
       NameField{&Course::stroke_of, "stroke_of",
-                "cylinder, prismatic joint or slot whose length or position the stroke is; where missing the only one"}
+                "cylinder, prismatic joint or slot whose length or position the stroke is; omitted: the only one"}
           .may_be_missing()};
 };
 

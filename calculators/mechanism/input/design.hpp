@@ -63,7 +63,7 @@ struct Counterweight {
           .positive()
           .may_be_missing(),
       Field{&Counterweight::direction, "direction", deg,
-            "direction of its arm in the link's axes; the best one where missing"}
+            "direction of its arm in the link's axes; omitted: the best one"}
           .may_be_missing(),
       Field{&Counterweight::mass, "mass", kg, "its mass, where the pivot moves"}.at_least(0)};
 };

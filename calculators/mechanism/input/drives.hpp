@@ -37,7 +37,7 @@ struct Crank {
   static constexpr Fields fields{
       NameField{&Crank::joint, "joint", "revolute joint that is driven"},
       NameField{&Crank::to, "to",
-                "point of the driven link that the crank angle is measured to; the link's x axis where missing"}
+                "point of the driven link that the crank angle is measured to; omitted: the link's x axis"}
           .may_be_missing(),
       Field{&Crank::speed, "speed", rad_per_s, "angular velocity, counter-clockwise positive"}.also("n"),
       Field{&Crank::acceleration, "acceleration", rad_per_s2, "angular acceleration at every position"},

@@ -137,8 +137,8 @@ F_y = "0 N"
                 "joints whose force is drawn as a hodograph; omitted: the three pins with the largest force"}
           .as_arrays()
           .may_be_missing(),
-      Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity, its magnitude; none where missing"}.usually(
-          -30, 30),
+      Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity, its magnitude; omitted: none"}.usually(-30,
+                                                                                                                   30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
       Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads only"}.may_be_missing()};
 

@@ -45,8 +45,8 @@ r_2 = "6 mm"
       Field{&Input::h, "h", mm, "height of the upright leg"}.positive().usually(0.1, 1e4),
       Field{&Input::b, "b", mm, "width of the other leg"}.positive().usually(0.1, 1e4),
       Field{&Input::t, "t", mm, "thickness of both legs"}.positive(),
-      Field{&Input::r, "r", mm, "radius of the root fillet; none where missing"}.at_least(0).may_be_missing(),
-      Field{&Input::r_2, "r_2", mm, "radius of the inner edges of the toes; sharp where missing"}
+      Field{&Input::r, "r", mm, "radius of the root fillet; omitted: none"}.at_least(0).may_be_missing(),
+      Field{&Input::r_2, "r_2", mm, "radius of the inner edges of the toes; omitted: sharp"}
           .at_least(0)
           .may_be_missing()};
 

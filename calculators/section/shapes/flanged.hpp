@@ -16,13 +16,12 @@ struct Flanged {
 /// With what its depth, its width and the thickness of its flanges are called.
 template <class Input = Flanged>
 constexpr auto flanged_inputs(const char* depth, const char* width, const char* flange) {
-  return Fields{Field<Input, Length>{&Input::h, "h", mm, depth}.positive().usually(0.1, 1e4),
-                Field<Input, Length>{&Input::b, "b", mm, width}.positive().usually(0.1, 1e4),
-                Field<Input, Length>{&Input::t_w, "t_w", mm, "thickness of the web"}.positive(),
-                Field<Input, Length>{&Input::t_f, "t_f", mm, flange}.positive(),
-                Field<Input, Length>{&Input::r, "r", mm, "radius of the fillets; none where missing"}
-                    .at_least(0)
-                    .may_be_missing()};
+  return Fields{
+      Field<Input, Length>{&Input::h, "h", mm, depth}.positive().usually(0.1, 1e4),
+      Field<Input, Length>{&Input::b, "b", mm, width}.positive().usually(0.1, 1e4),
+      Field<Input, Length>{&Input::t_w, "t_w", mm, "thickness of the web"}.positive(),
+      Field<Input, Length>{&Input::t_f, "t_f", mm, flange}.positive(),
+      Field<Input, Length>{&Input::r, "r", mm, "radius of the fillets; omitted: none"}.at_least(0).may_be_missing()};
 }
 
 }  // namespace loadpath::section

@@ -116,7 +116,7 @@ void show_table(const Table& t, const Row* only) {
     if (only == nullptr || only == &row) add_row(t, row, rows);
   }
   std::cout << t.title << " (" << t.name << ")\n"
-            << terminal::columns(rows, any_width) << "* from memory, source not seen\n";
+            << terminal::columns(rows, any_width) << "* not checked against the source\n";
 }
 
 void show_details(const Row& row) {

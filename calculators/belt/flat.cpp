@@ -105,7 +105,8 @@ void leave_room(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
 template <class Tracer>
 void cross(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   if (in.arrangement != Arrangement::crossed) return;
-  STEP_TO(r, x_a, 20.0 * r.b / r.a, "spans of a crossed belt twist freely from 20 widths on, from memory");
+  STEP_TO(r, x_a, 20.0 * r.b / r.a,
+          "spans of a crossed belt twist freely from 20 widths on, not checked against the source");
 }
 
 template <class Tracer>

@@ -5,7 +5,7 @@
 // ellipse of ASME [Shigley6]; the ellipse of Gough and Pollard with Goodman's line in each stress; and yielding at
 // the first cycle. All are listed next to each other. Normal and shear stresses rise and fall together, of ductile
 // metals; stresses are nominal, as sigma_D and tau_D are. Not covered: stresses out of phase, brittle metals, finite
-// life, two normal stresses. From memory, source not seen: psi from R_m.
+// life, two normal stresses. Not checked against the source: psi from R_m.
 #pragma once
 
 #include "calculators/fatigue/mean_stress.hpp"

@@ -38,18 +38,20 @@ template <class Tracer>
 Length peterson_length(const Input& in, Result& r, Tracer& trace) {
   using std::pow;
   STEP_TO(r, x_n, (in.R_m / MPa - 560.0) / (2070.0 - 560.0), "of steels from 560 MPa on; to 2070 MPa, own bound");
-  const double c_P = trace.value("c_P", in.loading == Loading::torsion ? 0.6 : 1.0, "0.6 in torsion, from memory");
-  return NAMED_STEP("a_P", c_P * 0.0254 * mm * pow(2070.0 * MPa / in.R_m, 1.8), "Peterson's constant, from memory");
+  const double c_P =
+      trace.value("c_P", in.loading == Loading::torsion ? 0.6 : 1.0, "0.6 in torsion, not checked against the source");
+  return NAMED_STEP("a_P", c_P * 0.0254 * mm * pow(2070.0 * MPa / in.R_m, 1.8),
+                    "Peterson's constant, not checked against the source");
 }
 
 template <class Tracer>
 double sensitivity(const Input& in, Result& r, Tracer& trace) {
   if (in.sensitivity == Endurance::Sensitivity::cast_iron)
-    return trace.value("q", 0.2, "all grades of cast iron, [Shigley6], from memory");
+    return trace.value("q", 0.2, "all grades of cast iron, [Shigley6], not checked against the source");
   if (is_set(in.r_n) && in.sensitivity == Endurance::Sensitivity::peterson) {
     STEP_TO(r, x_r, 0.1 * mm / in.r_n, "sharper notches count as cracks, own bound");
     const Length a_P = peterson_length(in, r, trace);
-    return NAMED_STEP("q", 1.0 / (1.0 + a_P / in.r_n), "notch sensitivity, Peterson, from memory");
+    return NAMED_STEP("q", 1.0 / (1.0 + a_P / in.r_n), "notch sensitivity, Peterson, not checked against the source");
   }
   if (!is_set(in.r_n))
     return NAMED_STEP("q", is_set(in.q) ? in.q : 1.0, is_set(in.q) ? "as given" : "not applicable without a notch");

@@ -6,8 +6,8 @@
 // by either edition, size of rotating or stationary parts, load, temperature, reliability. Torsion alike, with tau
 // for sigma. Limits are for r = -1 and a survival of 50 %, unless P_s says more. Without size or roughness it stays
 // the specimen's limit, and is not assessed as the part's; for a part as small and smooth give epsilon = 1, beta_F =
-// 1. Not covered: mean stress, life (fatigue.life), histories, safety, corrosion, press fits. From memory, source not
-// seen: Peterson's notch sensitivity, that of cast iron, the surface factors of the 11th edition except for ground
+// 1. Not covered: mean stress, life (fatigue.life), histories, safety, corrosion, press fits. Not checked against the
+// source: Peterson's notch sensitivity, that of cast iron, the surface factors of the 11th edition except for ground
 // surfaces.
 #pragma once
 

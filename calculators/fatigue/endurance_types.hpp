@@ -118,7 +118,7 @@ constexpr auto choices_of(EnduranceTypes::Edition) {
   using E = EnduranceTypes::Edition;
   return std::array{
       ChoiceName<E>{E::ninth, "9th", "Shigley, 9th edition"},
-      ChoiceName<E>{E::eleventh, "11th", "Shigley, 11th edition; from memory except for ground surfaces"}};
+      ChoiceName<E>{E::eleventh, "11th", "Shigley, 11th edition; only ground surfaces checked against it"}};
 }
 
 constexpr auto choices_of(EnduranceTypes::Turning) {
@@ -129,9 +129,11 @@ constexpr auto choices_of(EnduranceTypes::Turning) {
 
 constexpr auto choices_of(EnduranceTypes::Sensitivity) {
   using S = EnduranceTypes::Sensitivity;
-  return std::array{ChoiceName<S>{S::neuber, "neuber", "Neuber's constant; steels"},
-                    ChoiceName<S>{S::peterson, "peterson", "Peterson's constant; steels from 560 MPa; from memory"},
-                    ChoiceName<S>{S::cast_iron, "cast-iron", "0.2, for all grades of cast iron; from memory"}};
+  return std::array{
+      ChoiceName<S>{S::neuber, "neuber", "Neuber's constant; steels"},
+      ChoiceName<S>{S::peterson, "peterson",
+                    "Peterson's constant; steels from 560 MPa; not checked against the source"},
+      ChoiceName<S>{S::cast_iron, "cast-iron", "0.2, for all grades of cast iron; not checked against the source"}};
 }
 
 }  // namespace loadpath::fatigue

@@ -62,8 +62,8 @@ void sensitivities(const Input& in, Haigh& h, Tracer& trace) {
   const bool known = is_set(in.R_m), steel = known && is_steel(in.group), shear = in_shear(in);
   if (is_set(in.gamma)) h.gamma = in.gamma;
   if (!is_set(in.gamma) && steel && !shear)
-    h.gamma =
-        NAMED_STEP("gamma", max(0.8818 - 0.0002 * (in.R_m / MPa), 0.1), "Walker, steels, [Dowling9], from memory");
+    h.gamma = NAMED_STEP("gamma", max(0.8818 - 0.0002 * (in.R_m / MPa), 0.1),
+                         "Walker, steels, [Dowling9], not checked against the source");
   if (is_set(in.psi)) h.psi_D = in.psi;
   if (!is_set(in.psi) && steel) {
     h.psi_D = psi_of_steels(shear ? "psi_sigma" : "psi", in.R_m, trace);

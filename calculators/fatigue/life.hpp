@@ -6,8 +6,8 @@
 // cycles. The finite-life line goes from f R_m at 1e3 cycles to the fatigue limit at N_D [Shigley6], by Basquin
 // over reversals 2 N, or with a slope k. Compression gives no benefit. Below 1e3 cycles, of low cycles, nothing is
 // said. Safety and life are for the survival probability of sigma_D: 50 %, unless it includes P_s. Not covered:
-// histories (only one cycle), shear with normal stresses (fatigue.combined), creep, corrosion. From memory, source
-// not seen: the fit of f, of gamma, and of psi.
+// histories (only one cycle), shear with normal stresses (fatigue.combined), creep, corrosion. Not checked against the
+// source: the fit of f, of gamma, and of psi.
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"

@@ -51,7 +51,7 @@ double marin_surface(const EnduranceTypes::Input& in, Tracer& trace) {
   const bool ninth = in.edition == EnduranceTypes::Edition::ninth;
   const auto [a, b] = ninth ? surface_of_9th(in.finish) : surface_of_11th(in.finish);
   const char* const why = ninth ? "for this finish, [Shigley6] table 6-2"
-                                : "for this finish, 11th edition: ground as in [Shigley-SM6], the others from memory";
+                                : "for this finish, 11th edition: ground as in [Shigley-SM6], the others not checked";
   trace.value("a", a, why);
   trace.value("b", b, why);
   STEP(k_s, a * pow(in.R_m / MPa, b), "surface, [Shigley6] (6-19)");

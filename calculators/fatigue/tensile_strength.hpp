@@ -25,7 +25,7 @@ double fraction_at_1e3(Stress R_m, Tracer& trace) {
   if (S_k < 70.0) return trace.value("f", 0.9, "below 70 kpsi, [Shigley6] example 6-8");
   const double S_f = trace.value("S_f", std::min(S_k, 200.0), "the fit goes from 70 to 200 kpsi");
   return NAMED_STEP("f", 1.06 - 2.8e-3 * S_f + 6.9e-6 * pow<2>(S_f),
-                    "fit of the 10th edition of [Shigley6], from memory");
+                    "fit of the 10th edition of [Shigley6], not checked against the source");
 }
 
 template <class Tracer>
@@ -41,14 +41,14 @@ Stress yield_in_shear(Stress R_e, Tracer& trace) {
 /// Serensen's psi of steels in normal stresses.
 template <class Tracer>
 double psi_of_steels(const char* symbol, Stress R_m, Tracer& trace) {
-  return NAMED_STEP(symbol, 0.02 + 2e-4 * (R_m / MPa), "steels, [GOST25504], from memory");
+  return NAMED_STEP(symbol, 0.02 + 2e-4 * (R_m / MPa), "steels, [GOST25504], not checked against the source");
 }
 
 /// The same in shear, of that in normal stresses.
 template <class Tracer>
 double psi_in_shear(const char* symbol, double psi, Tracer& trace) {
   const double psi_sigma = psi;
-  return NAMED_STEP(symbol, 0.5 * psi_sigma, "half of it in shear, [GOST25504], from memory");
+  return NAMED_STEP(symbol, 0.5 * psi_sigma, "half of it in shear, [GOST25504], not checked against the source");
 }
 
 }  // namespace loadpath::fatigue

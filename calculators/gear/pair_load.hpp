@@ -133,7 +133,7 @@ Bending bend(const PairInput& in, const PairResult& r, const Tooth& tooth, Trace
   trace.value("sigma_F", sigma_F, "this stress");
   trace.value("sigma_adm", tooth.sigma_adm, "allowable for teeth bent in one direction");
   trace.value("Y_A", Y_A,
-              tooth.both_ways ? "teeth under reversed bending: 0.7 of it, from memory (ISO 6336-5)"
+              tooth.both_ways ? "teeth under reversed bending: 0.7 of it, not checked against ISO 6336-5"
                               : "teeth bent in one direction");
   bent.u = NAMED_STEP(tooth.u, sigma_F / (Y_A * tooth.sigma_adm), "bending by Lewis");
   return bent;

@@ -12,9 +12,10 @@ using Result = Cross::Result;
 template <class Tracer>
 void strength(const Input& in, Result& r, Tracer& trace) {
   const Stress tau = r.tau, p_1 = r.p_1, p_2 = r.p_2, tau_t = r.tau_t;
-  const Stress tau_a =
-      allowed_stress("tau_a", in.tau_adm, in.R_m, shares_of(in.loading).shear,
-                     "allowable shear stress, fraction of R_m for this type of loading, [RM-9], from memory", trace);
+  const Stress tau_a = allowed_stress(
+      "tau_a", in.tau_adm, in.R_m, shares_of(in.loading).shear,
+      "allowable shear stress, fraction of R_m for this type of loading, [RM-9], not checked against the source",
+      trace);
   if (is_set(tau_a)) {
     STEP_TO(r, u_tau, tau / tau_a, "shear of the pin: shear stress / allowable shear stress");
   }

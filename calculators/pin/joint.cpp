@@ -72,9 +72,10 @@ void strength(const Input& in, Result& r, Tracer& trace) {
   const Stress sigma_a =
       allowed_stress("sigma_a", in.sigma_adm, in.R_m, shares.bending,
                      "allowable bending stress, fraction of R_m for this type of loading, [RM-9]", trace);
-  const Stress tau_a =
-      allowed_stress("tau_a", in.tau_adm, in.R_m, shares.shear,
-                     "allowable shear stress, fraction of R_m for this type of loading, [RM-9], from memory", trace);
+  const Stress tau_a = allowed_stress(
+      "tau_a", in.tau_adm, in.R_m, shares.shear,
+      "allowable shear stress, fraction of R_m for this type of loading, [RM-9], not checked against the source",
+      trace);
   if (is_set(sigma_a)) {
     STEP_TO(r, u_b, sigma_b / sigma_a, "bending");
     STEP_TO(r, u_v, sigma_v / sigma_a, "equivalent stress");

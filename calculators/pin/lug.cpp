@@ -45,7 +45,7 @@ Lug::Result Lug::evaluate(const Input& in, Tracer& trace) {
   strength(in, r, trace);
   STEP_TO(r, x_a, (b_e - in.d) / (2.0 * in.a), "a crown as thick as the sides, or thicker");
   STEP_TO(r, K_t, 2.0 + pow<3>(1.0 - in.d / b_e),
-          "open hole in a strip, Heywood, from memory; a loaded pin gives more");
+          "open hole in a strip, Heywood, not checked against the source; a loaded pin gives more");
   STEP_TO(r, r_n, in.d / 2.0, "radius of the bore");
   r.cycle = {Stresses::normal, r.sigma_n};
   return r;

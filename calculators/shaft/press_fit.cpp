@@ -65,7 +65,7 @@ void pressures(const Input& in, Result& r, Tracer& trace) {
 
 template <class Tracer>
 void slip(const Input& in, Result& r, Tracer& trace) {
-  STEP_TO(r, x_l, in.l / in.d, "up to 1.5, [DIN7190], from memory");
+  STEP_TO(r, x_l, in.l / in.d, "up to 1.5, [DIN7190], not checked against the source");
   if (is_set(in.T)) {
     const Force F_zz = trace.value("F_zz", is_set(in.F_z) ? in.F_z : 0.0 * N.one, "along the shaft");
     STEP_TO(r, F_res, in.K_A * sqrt(pow<2>(2.0 * in.T / in.d) + pow<2>(F_zz)), "around and along, as vectors");

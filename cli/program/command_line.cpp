@@ -112,7 +112,7 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
       ->type_name("CONDITION");
   sub->add_option("--sort", options.sort, "column to sort by, as in mass or h; with - before it from the largest")
       ->type_name("COLUMN");
-  sub->add_flag("--audit", options.audit, "all values from memory (source not seen)");
+  sub->add_flag("--audit", options.audit, "all values not checked against a source");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return tables(options); }; });
 }

@@ -27,7 +27,7 @@ Cell symbol_cell(const Entry& entry) { return is_list_path(entry.path) ? Cell(en
 Cell origin_cell(const account::Origin& origin) {
   std::string text = origin.text.text();
   for (const std::string& key : origin.sources) text += " [" + key + "]";
-  if (origin.recalled) return say("{1}; from memory, source not seen", text);
+  if (origin.recalled) return say("{1}; not checked against the source", text);
   return text;
 }
 

@@ -39,7 +39,7 @@ void buy(const VSection& section, const VTypes::Input& in, VTypes::Result& r, Tr
   if (is_set(in.L)) r.off_L = trace.value("off_L", is_sold_belt(section, in.L) ? 0.0 : 1.0, "1: no list has this belt");
   if (r.z == 0) return;
   STEP_TO(r, x_z, r.z / 16.0,
-          "more belts hardly share the load, and such pulleys are not in stock; from memory, source not seen");
+          "more belts hardly share the load, and such pulleys are not in stock; not checked against a source");
 }
 
 /// The factor of the mean life for the kind of load, [GOST1284.2] annex 3.

@@ -45,7 +45,7 @@ constexpr auto choices_of(Method) {
                     ChoiceName<M>{M::secant, "secant", "secant formula, with an eccentricity"},
                     ChoiceName<M>{M::ec3, "ec3", "EN 1993-1-1:2005, 6.3.1, flexural buckling"},
                     ChoiceName<M>{M::aisc, "aisc", "AISC 360, E3, allowable strength"},
-                    ChoiceName<M>{M::sp16, "sp16", "SP 16.13330, 7.1.3, coefficients from memory"},
+                    ChoiceName<M>{M::sp16, "sp16", "SP 16.13330, 7.1.3; coefficients not checked against it"},
                     ChoiceName<M>{M::unsaid, "", "ec3 of a steel section of the tables, else johnson"}};
 }
 

@@ -107,8 +107,9 @@ Stress sp16_stress(double lambda, const Material& material, Tracer& trace) {
   STEP(lambda_r, lambda * sqrt(R_e / E), "relative slenderness, [SP16]");
   if (!(lambda_r <= end_of_table))
     return trace.value("sigma_cr", unset<Stress>, "beyond the table of the code, which ends at 14, [SP16]");
-  trace.value("alpha_s", alpha_s, "for the type of section, table 7 from memory, [SP16]");
-  trace.value("beta_s", beta_s, "for the type of section, table 7 from memory, [SP16]");
+  trace.value("alpha_s", alpha_s,
+              "for the type of section, table 7, not checked against the published standard, [SP16]");
+  trace.value("beta_s", beta_s, "for the type of section, table 7, not checked against the published standard, [SP16]");
   STEP(delta_s, 9.87 * (1.0 - alpha_s + beta_s * lambda_r) + pow<2>(lambda_r), "(9), [SP16]");
   STEP(phi_s, 19.74 / (delta_s + sqrt(pow<2>(delta_s) - 39.48 * pow<2>(lambda_r))),
        "(8), rearranged to avoid cancellation, [SP16]");

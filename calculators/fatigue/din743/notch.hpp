@@ -115,7 +115,7 @@ double measured_with_hub(const Din743Section& s, Stressing kind, Stress sigma_Bd
   }
   STEP(beta_1, 3.0 * pow(sigma_Bd / (1000.0 * MPa), 0.38), "one keyway in bending, 40 mm, [DIN743] part 2 table 1");
   const double k_2 = trace.value("k_2", s.notch == Notch::two_keyways ? 1.15 : 1.0,
-                                 "1.15 for two keyways, [DIN743] part 2 table 1; in torsion from memory");
+                                 "1.15 for two keyways, [DIN743] part 2 table 1; torsion not checked");
   if (kind == Stressing::torsion)
     return NAMED_STEP("beta_BK", k_2 * (0.56 * beta_1 + 0.1), "keyway in torsion, [DIN743] part 2 table 1");
   return NAMED_STEP("beta_BK", k_2 * beta_1, "keyway, [DIN743] part 2 table 1");

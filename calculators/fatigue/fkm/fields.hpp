@@ -38,9 +38,9 @@ constexpr auto fkm_steel() {
       fkm_strength<Input>(&Input::R_eN, "R_eN", "yield strength of the standard, at its reference diameter", 150,
                           most_yield_strength),
       fkm_size_slope<Input>(&Input::a_dm, "a_dm", "slope of the size factor of R_mN, in place of the group's"),
-      fkm_size_slope<Input>(&Input::a_dp, "a_dp", "size constant of R_eN; default of the group from memory"),
+      fkm_size_slope<Input>(&Input::a_dp, "a_dp", "size constant of R_eN; default of the group not checked"),
       fkm_reference<Input>(&Input::d_Nm, "d_Nm", "diameter that R_mN belongs to, in place of the group's"),
-      fkm_reference<Input>(&Input::d_Np, "d_Np", "reference diameter of R_eN; default of the group from memory"),
+      fkm_reference<Input>(&Input::d_Np, "d_Np", "reference diameter of R_eN; default of the group not checked"),
       Field<Input, Stress>{&Input::R_m, "R_m", MPa, "tensile strength in a part of this size, in place of R_mN"}
           .positive()
           .below(3000)
@@ -89,13 +89,13 @@ constexpr auto fkm_service() {
           .at_least(1)
           .usually(1e4, 1e9)
           .may_be_missing(),
-      fkm_demand<Input>(
-          &Input::j_D, "j_D", 1.2,
-          "required fatigue safety factor: 1.5, with inspections 1.35, at minor consequence 1.3, 1.2, from memory"),
+      fkm_demand<Input>(&Input::j_D, "j_D", 1.2,
+                        "required fatigue safety factor: 1.5, with inspections 1.35, at minor consequence 1.3, 1.2, "
+                        "not checked against the guideline"),
       fkm_demand<Input>(&Input::j_m, "j_m", 1.6, "safety against fracture: 2.0 to 1.6 by consequence and by load"),
       fkm_demand<Input>(&Input::j_p, "j_p", 1.2, "safety against yielding: 1.5 to 1.2 by consequence and by load"),
       Field<Input, Stress>{&Input::R_pmax, "R_pmax", MPa,
-                           "E x allowable strain: 1050 MPa is 0.5 % for steel, from memory"}
+                           "E x allowable strain: 1050 MPa is 0.5 % for steel, not checked against the source"}
           .positive()
           .usually(200, 1050)
           .customarily_at_most(1050),

@@ -61,7 +61,7 @@ double fkm_size_factor(const char* symbol, double slope, Length reference, Lengt
   if (d_eff <= reference) return trace.value(symbol, 1.0, "up to the reference diameter, [FKM] 1.2");
   const double a_d = trace.value("a_d", slope, source);
   const Length d_N = trace.value("d_N", reference, source);
-  STEP(d_K, min(d_eff, 250.0 * mm), "constant from 250 mm on, from memory");
+  STEP(d_K, min(d_eff, 250.0 * mm), "constant from 250 mm on, not checked against the source");
   return NAMED_STEP(symbol,
                     (1.0 - 0.7686 * a_d * log(d_K / (7.5 * mm)) / log(10.0)) /
                         (1.0 - 0.7686 * a_d * log(d_N / (7.5 * mm)) / log(10.0)),
@@ -89,10 +89,11 @@ void fkm_strengths(const FkmSteel& s, FkmSafety& r, Tracer& trace) {
     const char* const own = "as given";
     r.K_dm = fkm_size_factor("K_dm", size.a_m, size.d_m, r.d_eff,
                              is_set(s.a_dm) ? own : "of the group of steels, [FKM] in [PragTic]", trace);
-    r.K_dp = fkm_size_factor("K_dp", size.a_p, size.d_p, r.d_eff,
-                             is_set(s.a_dp) ? own : "of the group of steels, [FKM], from memory", trace);
+    r.K_dp =
+        fkm_size_factor("K_dp", size.a_p, size.d_p, r.d_eff,
+                        is_set(s.a_dp) ? own : "of the group of steels, [FKM], not checked against the source", trace);
     const Length d_eff = r.d_eff;
-    STEP_TO(r, x_eff, d_eff / (250.0 * mm), "size factors are given up to 250 mm, from memory");
+    STEP_TO(r, x_eff, d_eff / (250.0 * mm), "size factors are given up to 250 mm, not checked against the source");
   } else {
     r.K_dm = trace.value("K_dm", 1.0, "R_m is that of this size");
     r.K_dp = trace.value("K_dp", 1.0, "R_e is that of this size");

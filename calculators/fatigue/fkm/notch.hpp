@@ -79,7 +79,7 @@ Twist fkm_by_shape(const Din743Section& s, FkmSteelGroup group, const FkmService
   }
   k.n_d = fkm_support_of_size(s, group, root, kind, trace);
   const double n = k.n, n_d = k.n_d;
-  STEP_TO(k, K_f, K_t / (n * n_d), "notch factor, [FKM] 2.3; that both supports count is from memory");
+  STEP_TO(k, K_f, K_t / (n * n_d), "notch factor, [FKM] 2.3; that both supports count is not checked");
   return steep;
 }
 

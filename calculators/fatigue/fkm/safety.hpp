@@ -18,7 +18,7 @@ inline constexpr double fkm_knee = 1e6;
 template <class Tracer>
 double slope_of_life(Stressing kind, Tracer& trace) {
   return trace.value("k", kind == Stressing::torsion ? 8.0 : 5.0,
-                     "slope of finite life, 5, in torsion 8, [FKM] 2.4, from memory");
+                     "slope of finite life, 5, in torsion 8, [FKM] 2.4, not checked against the source");
 }
 
 /// Amplitude over its limit, and the resulting life.
@@ -33,7 +33,8 @@ void hold_amplitude(const FkmService& l, Stressing kind, FkmStress& k, Tracer& t
   const double K_AK = k.K_AK;
   const Stress sigma_WK = k.sigma_WK, sigma_a = k.sigma_a;
   STEP_TO(k, sigma_AK, K_AK * sigma_WK, "at this mean stress, [FKM] 2.4");
-  const double slope = slope_of_life(kind, trace), N_D = trace.value("N_D", fkm_knee, "knee, [FKM] 2.4, from memory");
+  const double slope = slope_of_life(kind, trace),
+               N_D = trace.value("N_D", fkm_knee, "knee, [FKM] 2.4, not checked against the source");
   k.K_BK = is_set(l.N) && l.N < N_D ? pow(N_D / l.N, 1.0 / slope) : 1.0;
   const double K_BK = trace.value("K_BK", k.K_BK, "(N_D/N)^(1/k) up to the knee, [FKM] 2.4");
   STEP_TO(k, sigma_BK, K_BK * sigma_AK, "for the required life, [FKM] 2.4");
@@ -63,7 +64,7 @@ void static_strength(const Din743Section& s, const FkmSteel& steel, const FkmSer
                      FkmStress& k, Tracer& trace) {
   const Stress R_ed = yield, R_pmax = l.R_pmax;
   const double K_p = plastic_factor(s, kind, trace);
-  STEP(n_e, sqrt(R_pmax / R_ed), "by the allowable strain, Neuber, [FKM] 1.3, from memory");
+  STEP(n_e, sqrt(R_pmax / R_ed), "by the allowable strain, Neuber, [FKM] 1.3, not checked against the source");
   STEP_TO(k, n_pl, min(max(n_e, 1.0), K_p), "plastic support, no more than the section has, [FKM] 1.3");
   const double f_S =
       trace.value("f_S", kind == Stressing::torsion ? fkm_row(steel.steel).tau : 1.0, "shear over normal, [FKM] 1.2");
@@ -102,8 +103,8 @@ void mean_stresses(const FkmSteel& steel, const FkmService& l, FkmSafety& r, Tra
     for (FkmStress& k : r.stresses) k.sigma_mv = k.sigma_m;
     return;
   }
-  r.sigma_mv =
-      mean_as_one(r, &FkmStress::sigma_m, "one mean stress for all, of both signs, [FKM] 2.4, from memory", trace);
+  r.sigma_mv = mean_as_one(r, &FkmStress::sigma_m,
+                           "one mean stress for all, of both signs, [FKM] 2.4, not checked against the source", trace);
   const Stress sigma_mv = r.sigma_mv;
   const double f_W = trace.value("f_W", fkm_row(steel.steel).tau, "shear over normal, [FKM] 2.2");
   STEP_TO(r, tau_mv, f_W * max(sigma_mv, 0.0 * MPa), "as shear, none where it presses");
@@ -130,7 +131,7 @@ void ductility(const FkmSteel& steel, const Din743Section& s, FkmSafety& r, Trac
   }
   const double f_W = trace.value("f_W", fkm_row(steel.steel).tau, "shear over normal, [FKM] 2.2");
   STEP_TO(r, q, max((sqrt(3.0) - 1.0 / f_W) / (sqrt(3.0) - 1.0), 0.0),
-          "0: ductile, 1: brittle, [FKM] 2.6, from memory");
+          "0: ductile, 1: brittle, [FKM] 2.6, not checked against the source");
 }
 
 template <class Tracer>

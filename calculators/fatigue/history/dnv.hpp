@@ -56,18 +56,18 @@ constexpr auto choices_of(DnvDetail) {
   using D = DnvDetail;
   return std::array{ChoiceName<D>{D::untold, "untold", "none: give lg_a", "unstated"},
                     ChoiceName<D>{D::B1, "B1", "lg a 15.117, m_1 4"},
-                    ChoiceName<D>{D::B2, "B2", "14.885, m_1 4; from memory"},
+                    ChoiceName<D>{D::B2, "B2", "14.885, m_1 4; not checked against the standard"},
                     ChoiceName<D>{D::C, "C", "12.592, m_1 3, as of all that follow"},
-                    ChoiceName<D>{D::C1, "C1", "12.449, from memory"},
-                    ChoiceName<D>{D::C2, "C2", "12.301, from memory"},
+                    ChoiceName<D>{D::C1, "C1", "12.449; not checked against the standard"},
+                    ChoiceName<D>{D::C2, "C2", "12.301; not checked against the standard"},
                     ChoiceName<D>{D::D, "D", "12.164"},
                     ChoiceName<D>{D::E, "E", "12.010"},
                     ChoiceName<D>{D::F, "F", "11.855"},
-                    ChoiceName<D>{D::F1, "F1", "11.699, from memory"},
-                    ChoiceName<D>{D::F3, "F3", "11.546, from memory"},
-                    ChoiceName<D>{D::G, "G", "11.398, from memory"},
-                    ChoiceName<D>{D::W1, "W1", "11.261, from memory"},
-                    ChoiceName<D>{D::W2, "W2", "11.107, from memory"},
+                    ChoiceName<D>{D::F1, "F1", "11.699; not checked against the standard"},
+                    ChoiceName<D>{D::F3, "F3", "11.546; not checked against the standard"},
+                    ChoiceName<D>{D::G, "G", "11.398; not checked against the standard"},
+                    ChoiceName<D>{D::W1, "W1", "11.261; not checked against the standard"},
+                    ChoiceName<D>{D::W2, "W2", "11.107; not checked against the standard"},
                     ChoiceName<D>{D::W3, "W3", "10.970"}};
 }
 

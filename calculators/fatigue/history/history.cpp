@@ -110,8 +110,9 @@ void all_rules(const Input& in, const Weights& w, Result& r, Tracer& trace) {
   r.D_original = tell("D_original", MinerRule::original, "sum of n / N above the limit, [Miner]");
   r.D_elementary = tell("D_elementary", MinerRule::elementary, "the slope k for all cycles");
   r.D_modified = tell("D_modified", MinerRule::modified, "2 k - 1 below the limit, [Haibach]");
-  r.D_consistent = tell("D_consistent", MinerRule::consistent, "decreasing fatigue limit, [Haibach], from memory");
-  r.D_LZ = tell("D_LZ", MinerRule::liu_zenner, "slope (k + 3.6)/2, Liu and Zenner, from memory");
+  r.D_consistent = tell("D_consistent", MinerRule::consistent,
+                        "decreasing fatigue limit, [Haibach], not checked against the source");
+  r.D_LZ = tell("D_LZ", MinerRule::liu_zenner, "slope (k + 3.6)/2, Liu and Zenner, not checked against the source");
   r.D = in.miner == MinerRule::original     ? NAMED_STEP("D", r.D_original, "the original rule decides")
         : in.miner == MinerRule::elementary ? NAMED_STEP("D", r.D_elementary, "the elementary rule decides")
         : in.miner == MinerRule::consistent ? NAMED_STEP("D", r.D_consistent, "the consistent rule decides")

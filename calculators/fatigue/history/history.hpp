@@ -5,7 +5,7 @@
 // largest stress against yielding. One turn repeats; so does a file, unless its residue is counted otherwise. Stresses
 // are nominal, amplitudes for the curve of a part and ranges for a detail, lives are cycles and not reversals, at the
 // survival probability of the curve. Not covered: several stresses at once, low-cycle fatigue, the order of the loads.
-// From memory, source not seen: the consistent rule and the rule of Liu and Zenner.
+// Not checked against the source: the consistent rule and the rule of Liu and Zenner.
 #pragma once
 
 #include "calculators/fatigue/history/dnv.hpp"

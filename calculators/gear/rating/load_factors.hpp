@@ -79,7 +79,7 @@ template <class Tracer>
 Length manufacturing_deviation(const Input& in, const PairResult& g, Tracer& trace) {
   if (is_set(in.f_ma)) return in.f_ma;
   return trace.value("f_ma", helix_tolerance(in, g),
-                     "helix slope tolerance of the grade, ISO 1328-1:1995, from memory");
+                     "helix slope tolerance of the grade, ISO 1328-1:1995, not checked against the source");
 }
 
 template <class Tracer>

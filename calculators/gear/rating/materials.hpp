@@ -73,7 +73,7 @@ constexpr StrengthBounds strength_bounds(GearMaterial material, Quality quality,
   return most;
 }
 
-/// Modulus of elasticity and Poisson's ratio: [DIN3990-2] table 1, from memory.
+/// Modulus of elasticity and Poisson's ratio: [DIN3990-2] table 1, not checked against the source.
 constexpr double modulus_of(GearMaterial material) {
   return material == GearMaterial::nodular ? 173e9 : material == GearMaterial::grey ? 126e9 : 206e9;
 }

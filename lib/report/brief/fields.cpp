@@ -130,7 +130,7 @@ Panel assumptions(const project::Project& project) {
   Panel panel{say("Assumptions"), {}, {}};
   add_list("Factors, each applied once", factors_of(project, false), most_factors, panel);
   add_list("Factors by default", factors_of(project, true), most_defaults, panel);
-  add_list("From memory, source not seen", recalled_inputs(project), most_recalled, panel);
+  add_list("Not checked against the source", recalled_inputs(project), most_recalled, panel);
   std::vector<std::string> warnings;
   for (const auto& step : project.steps) {
     for (const Message& warning : step->account().warnings)

@@ -12,7 +12,7 @@ Panel outside_scope(const Summary& summary);
 Panel accepted_by_user(const Summary& summary);
 Panel not_assessed(const Summary& summary);
 Panel not_considered(const Summary& summary);
-/// Factors with the place where each is applied, defaults, values from memory, warnings.
+/// Factors with the place where each is applied, defaults, values not checked against a source, warnings.
 Panel assumptions(const project::Project& project);
 
 }  // namespace loadpath::report

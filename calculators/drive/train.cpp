@@ -84,14 +84,14 @@ void drive(const Train::Shaft& before, Train::StageResult& stage, Train::Shaft& 
   const auto T_before = before.T;
   if (is_set(n_before)) {
     trace.speed("n_before", n_before, "speed before the stage");
-    STEP_TO(after, n, n_before / stage.i, "speed behind the stage, [B40]");
+    STEP_TO(after, n, n_before / stage.i, "speed after the stage, [B40]");
   }
   if (!is_set(T_before)) return;
   trace.value("T_before", T_before, "torque before the stage");
-  STEP_TO(after, T, T_before * stage.i * stage.eta, "torque behind the stage, [B40]");
+  STEP_TO(after, T, T_before * stage.i * stage.eta, "torque after the stage, [B40]");
   STEP_TO(stage, T_h, T - T_before, "equilibrium of the housing");
   if (is_set(after.n)) {
-    STEP_TO(after, P, T * after.n, "power behind the stage");
+    STEP_TO(after, P, T * after.n, "power after the stage");
     STEP_TO(stage, P_loss, T_before * n_before * (1.0 - stage.eta), "power loss");
   }
 }

@@ -64,7 +64,8 @@ int unknown_option(const CLI::App& command, const std::string& word) {
     return std::any_of(options.begin(), options.end(), [&](const Known& one) { return one.word == option; });
   };
   if ((name == "--accept" || name == "--because") && !has(name.substr(2)))
-    return refuse("unknown option '" + name + "'", "in the step of the file: " + name.substr(2) +
+    return refuse("unknown option '" + name + "'", name.substr(2) +
+                                                       " goes into the file, in its step: " + name.substr(2) +
                                                        (name == "--accept" ? ".MODE" : ".INPUT") + " = \"reason\"");
   if ((name == "--P" || name == "--n") && has("T"))
     return refuse("unknown option '" + name + "'", "a power and a speed are a torque: --T \"=15 kW/(1450 rpm)\"");

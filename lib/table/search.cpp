@@ -74,7 +74,7 @@ Outcome<Comparison> read_comparison(std::string_view text, std::string_view part
     const auto column = column_named(key, offset(text, part), tables);
     if (!column) return column.fault();
     if (value.empty())
-      return Fault{offset(text, part) + at, sign.size(), say("a value is missing behind '{1}'", sign), {}};
+      return Fault{offset(text, part) + at, sign.size(), say("a value is missing after '{1}'", sign), {}};
     const auto si = value_of(text, value, **column);
     if (!si) return si.fault();
     return Comparison{(*column)->key, std::string(sign), *si};

@@ -130,7 +130,7 @@ FieldFault two_sections(const Section& in) {
   const auto misfit = table::misfit_of(shape_of(in));
   if (!misfit) return {};
   return {misfit->key, misfit->message,
-          say("describe one section: by its row, by its sizes, or by A, I_y and I_z; check the units")};
+          say("give one section only: by its row, by its sizes, or by A, I_y and I_z; check the units")};
 }
 
 bool is_solid_if_full(const Section& in) {

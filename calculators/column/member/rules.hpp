@@ -49,7 +49,7 @@ constexpr auto held_rules() {
       Rule<Input>{[](const Input& in) { return !(is_set(in.N) && is_set(in.P)); }, "N, P",
                   "give the force as N, positive in tension, or as P, positive in compression, not both"},
       Rule<Input>{[](const Input& in) { return is_set(in.E) || !(is_set(in.N) || is_set(in.P)); }, "E, N, P",
-                  "give the modulus E, or a material"},
+                  "give a material, or the modulus E"},
       Rule<Input>{[](const Input& in) {
                     const bool y = is_set(in.beta_y) || in.ends_y != Ends::unsaid || in.ends != Ends::unsaid;
                     const bool z = is_set(in.beta_z) || in.ends_z != Ends::unsaid || in.ends != Ends::unsaid;
@@ -138,7 +138,7 @@ constexpr auto section_rules() {
       Rule<Input>{&of<Input, &is_one_section>, "A, I_y, I_z, i_y, i_z, I_min, I_t, I_w, h, b, d, t_f, t_w, kind",
                   "sizes, area and second moments of area must belong to the same section", &of<Input, &two_sections>},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); }, "d_bore, d",
-                  "d_bore requires d and must be smaller"},
+                  "the bore d_bore must be smaller than d; give both"},
       Rule<Input>{
           &of<Input, &is_solid_if_full>, "kind, d, h, b, A, d_bore, t_w",
           "a bar given by d, or by h and b, is solid, with d_bore or t_w a hollow section: omit kind, or give A, "

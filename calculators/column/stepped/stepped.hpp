@@ -111,7 +111,7 @@ n_st = 2.5
       Rule<Input>{&stands_still, "foot, top",
                   "a column with a pinned foot and a free top falls: fix its foot or hold "
                   "its top"},
-      Rule<Input>{[](const Input& in) { return is_set(in.E); }, "E", "give the modulus E, or a material"},
+      Rule<Input>{[](const Input& in) { return is_set(in.E); }, "E", "give a material, or the modulus E"},
       Rule<Input>{[](const Input& in) { return !is_set(in.n_st) || is_set(in.R_e) || is_set(in.sigma_P); },
                   "n_st, R_e, sigma_P",
                   "a safety factor needs the yield strength R_e (or a material), or the proportional limit sigma_P"},

@@ -226,7 +226,7 @@ std::string layout_of(std::string_view text, const std::string& file, Calculator
   issues.push_back({{file, 0, 0, 1},
                     "",
                     say("its layout would change what it says, so it stays as it is"),
-                    say("a table of a step belongs directly behind it"),
+                    say("a table of a step belongs directly after it"),
                     Severity::error});
   return {};
 }

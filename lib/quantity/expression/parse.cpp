@@ -26,7 +26,7 @@ Node Parser::joined(Operation operation, Node left, Node right) const {
 
 Outcome<Parsed> Parser::parse() {
   if (done()) {
-    fail(0, 1, say("the expression is empty"), say("write a value behind '=', as in =2 * lever.drive.M"));
+    fail(0, 1, say("the expression is empty"), say("write a value after '=', as in =2 * lever.drive.M"));
   } else if (text_.size() > longest) {
     fail(longest, text_.size() - longest, say("an expression is at most {1} bytes long", std::to_string(longest)),
          say("give parts of it to steps of their own"));

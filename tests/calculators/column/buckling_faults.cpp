@@ -33,7 +33,8 @@ TEST_SUITE("column buckling faults") {
     says(rod + "method = \"johnson\"\nA = \"10 cm^2\"\n", "with the area A both axes need I or i");
     says(rod + "method = \"johnson\"\nI_y = \"10 cm^4\"\n", "I or i is given, but not the area A");
     says(rod + "method = \"johnson\"\nd = \"40 mm\"\nb = \"20 mm\"\n", "the bar is one of them");
-    says(rod + "method = \"johnson\"\nd = \"40 mm\"\nd_bore = \"40 mm\"\n", "d_bore requires d and must be smaller");
+    says(rod + "method = \"johnson\"\nd = \"40 mm\"\nd_bore = \"40 mm\"\n",
+         "the bore d_bore must be smaller than d; give both");
     says(rod + "method = \"johnson\"\nA = \"10 cm^2\"\nI_y = \"100 cm^4\"\ni_y = \"20 mm\"\ni_z = \"20 mm\"\n",
          "I and i of an axis must satisfy I = A i^2; give one of them");
     says(
@@ -46,7 +47,7 @@ TEST_SUITE("column buckling faults") {
         "calculator = \"column.buckling\"\nl = \"900 mm\"\nends = \"pinned_pinned\"\nd = \"40 mm\"\n";
     CHECK(complaints(soft).empty());  // only its slenderness
     says(soft + "R_e = \"235 MPa\"\nmethod = \"johnson\"\nn_st = 2\nP = \"10 kN\"\n",
-         "give the modulus E, or a material");
+         "give a material, or the modulus E");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"-1 kN\"\n", "P = -1 kN: must be >= 0 kN");
   }
 

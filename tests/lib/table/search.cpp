@@ -61,7 +61,7 @@ TEST_SUITE("table search") {
     CHECK(fault("h > 1 mm and bb > 2 mm").at == 13);
     CHECK(fault("h > 30").message.text().find("30") != std::string::npos);
     CHECK(fault("h > 30 kg").at == 4);
-    CHECK(fault("h >").message.text() == "a value is missing behind '>'");
+    CHECK(fault("h >").message.text() == "a value is missing after '>'");
     CHECK(fault("h").message.text() == "'h' compares nothing");
     CHECK(fault("").message.text() == "'' compares nothing");
     CHECK(fault("h > 1 mm and ").message.text() == "'' compares nothing");

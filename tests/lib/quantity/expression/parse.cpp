@@ -170,7 +170,7 @@ TEST_SUITE("quantity") {
       REQUIRE_FALSE(parsed);
       CHECK(parsed.fault().at == 0);
       CHECK(parsed.fault().message.text() == "the expression is empty");
-      CHECK(parsed.fault().hint.text() == "write a value behind '=', as in =2 * lever.drive.M");
+      CHECK(parsed.fault().hint.text() == "write a value after '=', as in =2 * lever.drive.M");
     }
   }
 

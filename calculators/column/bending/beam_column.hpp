@@ -184,10 +184,9 @@ gamma_F = 1
           Rule<Input>{&fits_shape, "kind, d, h, b, t_f, t_w",
                       "the section must be a doubly symmetric I, a hollow section or (ec3) a solid bar, with its kind "
                       "and its dimensions h, b, t_f and t_w, or d and t_w"},
-          Rule<Input>{
-              &free_end_is_unloaded, "ends_z, ends, beta_z, l_LT, z_g, q_z, F_z",
-              "of a bar with a free or swaying end, or with l_LT, a load above the shear centre is not covered: "
-              "z_g = \"0 mm\" if it acts there; in place of l_LT give supports_z"},
+          Rule<Input>{&free_end_is_unloaded, "ends_z, ends, beta_z, l_LT, z_g, q_z, F_z",
+                      "of a bar with a free or sway end, or with l_LT, a load above the shear centre is not covered: "
+                      "z_g = \"0 mm\" if it acts there; in place of l_LT give supports_z"},
           Rule<Input>{&load_on_section, "z_g, h, d",
                       "the transverse load acts below the section: z_g is at least -h/2"},
           Rule<Input>{&of<Input, &Buckling::needs_of_method>,

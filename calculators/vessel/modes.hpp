@@ -30,10 +30,7 @@ constexpr Mode<Input> test_mode() {
 /// The test must reach the pressure that the standard requires.
 template <class Input>
 constexpr Mode<Input> test_level_mode() {
-  return Mode<Input>{"test_level", "required test pressure", &tested<Input>}
-      .judged_by("u_tr")
-      .special()
-      .at_any_load();
+  return Mode<Input>{"test_level", "required test pressure", &tested<Input>}.judged_by("u_tr").special().at_any_load();
 }
 
 /// `strength`: that of the wall; `test`: its test before service; `own`: the modes that not every wall has.

@@ -89,7 +89,8 @@ struct FieldFault {
 
 enum class Severity { error, warning };
 
-/// What is wrong with a key itself. Others look for it: a step with several unknown keys may be that of another calculator.
+/// What is wrong with a key itself. Others look for it: a step with several unknown keys may be that of another
+/// calculator.
 enum class KeyFault { none, missing, unknown };
 
 struct Issue {

@@ -22,8 +22,8 @@ TEST_SUITE("cli first try") {
   }
 
   TEST_CASE("buckling is shown before the limit of slenderness, which stands alone where no force is given") {
-    const std::vector<std::string> words{"column", "buckling", "--section", "HEB 160", "--l", "4 m", "--ends",
-                                         "pinned_pinned", "--material", "S235"};
+    const std::vector<std::string> words{"column", "buckling", "--section",     "HEB 160",    "--l",
+                                         "4 m",    "--ends",   "pinned_pinned", "--material", "S235"};
     std::vector<std::string> loaded = words;
     loaded.insert(loaded.end(), {"--P", "300 kN"});
     CHECK(holds(loadpath_with(loaded).out, "Flexural buckling about y and z, utilisation 0.461 (300 / 651 kN)"));

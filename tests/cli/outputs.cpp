@@ -227,8 +227,8 @@ TEST_SUITE("cli outputs") {
     CHECK(one.error.find("steps are drawn") != std::string::npos);
     CHECK(!desk.has("b.svg"));
     const auto before = desk.files().size();
-    CHECK(with({"--svg", "a.png"}).error.starts_with(
-        "loadpath: figures are written as FILE.svg or into a folder, not as 'a.png'\n"));
+    CHECK(with({"--svg", "a.png"})
+              .error.starts_with("loadpath: figures are written as FILE.svg or into a folder, not as 'a.png'\n"));
     CHECK(with({"--dxf", "a.dwg"}).code == 2);
     CHECK(with({"--csv", "a.txt"}).code == 2);
     CHECK(desk.files().size() == before);

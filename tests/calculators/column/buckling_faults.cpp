@@ -138,8 +138,7 @@ TEST_SUITE("column buckling faults") {
   }
 
   TEST_CASE("a set that does not exist is told with the nearest") {
-    says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\ntetmajer = \"St38\"\n",
-         "no tetmajer 'St38' in the tables");
+    says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\ntetmajer = \"St38\"\n", "no tetmajer 'St38' in the tables");
   }
 
   TEST_CASE("Euler below its limit is not covered, and no number is given") {

@@ -26,9 +26,13 @@ class SeatCheck {
     for (const Taken& record : shaft_.input().reading.records) {
       if (record.path.ends_with(".load")) compare_width(record);
       if (record.path.ends_with(".connection")) compare_factor(record), compare_hub(record);
+      compare_start(record);
     }
     const Leaf seats = find_leaf(shaft_.input().reading.record, "seats[1].J");
-    for (int i = 1; seats && i <= most_seats; ++i) compare_gyration("seats[" + std::to_string(i) + "].");
+    for (int i = 1; seats && i <= most_seats; ++i) {
+      const std::string seat = "seats[" + std::to_string(i) + "].";
+      compare_gyration(seat), compare_least_gyration(seat);
+    }
     for (const Operand& operand : shaft_.input().reading.operands) compare_component(operand);
     return std::move(found_);
   }
@@ -87,6 +91,37 @@ class SeatCheck {
     if (!(b < (1.0 - rounded) * l_n)) return;
     add(path, say("{1} = {2}, and the hub of '{3}' is {4} long; justify it: because.{1} = \"...\"", path,
                   format_quantity(b, "mm", 4), connection->name(), format_quantity(l_n, "mm", 4)));
+  }
+
+  /// The start that a key or spline is calculated for goes through the shaft, too.
+  void compare_start(const Taken& record) {
+    const Step* const connection = project_.find(split_step(record.source).first);
+    if (connection == nullptr || !connects(*connection)) return;
+    const double T_max = std::abs(own_value(*connection, project_, "T_max"));
+    const double T = std::abs(own_value(*connection, project_, "T")), K_A = own_value(*connection, project_, "K_A");
+    const double k_max = own_value(shaft_, project_, "k_max"), peak = T_max / T / std::fmax(1.0, K_A);
+    if (!(peak > (1.0 + rounded) * std::fmax(1.0, k_max)) || !shaft_has_peak()) return;
+    add("k_max", say("k_max = {1}, and '{2}' carries T_max = {3} T: give k_max, or because.k_max = \"...\"",
+                     format_number(std::fmax(1.0, k_max), 4), connection->name(), format_number(peak, 4)));
+  }
+  [[nodiscard]] bool shaft_has_peak() const {
+    return find_field(shaft_.input().calculator->input->fields, "k_max") != nullptr;
+  }
+
+  /// No mass on a shaft lies so near to its axis: a ring around the thinnest diameter d, or a disc of it, has at least
+  /// m d^2/8.
+  void compare_least_gyration(const std::string& seat) {
+    const double mass = own_value(shaft_, project_, seat + "mass"), J = own_value(shaft_, project_, seat + "J");
+    double d = std::nan("");
+    for_each_leaf(shaft_.input().reading.record, [&](const std::string& path, const Leaf&) {
+      if (path.starts_with("pieces") && path.ends_with(".d")) d = std::fmin(d, own_value(shaft_, project_, path));
+    });
+    const double least = mass * d * d / 8.0;
+    if (!(J < (1.0 - rounded) * least)) return;
+    add(seat + "J", say("{1} = {2} is too low for a mass of {3} around a shaft of {4}, at least {5}; justify it: "
+                        "because.{1} = \"...\"",
+                        seat + "J", format_quantity(J, "kg*m^2", 3), format_quantity(mass, "kg", 3),
+                        format_quantity(d, "mm", 4), format_quantity(least, "kg*m^2", 3)));
   }
 
   /// A body of the width of the seat with this moment of inertia has at least a ninth of the mass of a solid steel

@@ -9,7 +9,7 @@ namespace {
 
 constexpr Dimension length = Dimension::of(1, 0, 0), per_time = Dimension::of(0, 0, -1),
                     speed = Dimension::of(1, 0, -1);
-constexpr Dimension power = Dimension::of(2, 1, -3), work = Dimension::of(2, 1, -2);
+constexpr Dimension of_power = Dimension::of(2, 1, -3), work = Dimension::of(2, 1, -2);
 constexpr Dimension force = Dimension::of(1, 1, -2), stress = Dimension::of(-1, 1, -2);
 
 /// "d", "D", "shaft.d_1", "segments[2].d".
@@ -58,7 +58,7 @@ class Product {
     };
     const bool is_two_pi = f.pi == f.speeds && f.diameters == 0 && std::abs(f.number) == std::pow(2.0, f.pi);
     if ((f.speeds == 1 && f.pi > 0 && dimension == per_time) ||
-        (std::abs(f.speeds) == 1 && is_two_pi && (dimension == speed || dimension == power || dimension == work)))
+        (std::abs(f.speeds) == 1 && is_two_pi && (dimension == speed || dimension == of_power || dimension == work)))
       return fault(say("2*pi converts revolutions, and an angular velocity is in radians per time already"),
                    say("leave out 2*pi"));
     if (f.speeds == 1 && f.pi > 0 && f.diameters == 1 && dimension == speed)

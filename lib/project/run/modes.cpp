@@ -55,7 +55,7 @@ void add_missing_load(const Evaluation& evaluation, const Results& results,
   const auto is_utilised = [](const account::Verdict* row) { return row->utilisation && *row->utilisation > 0.0; };
   const auto bears = [&](const ModeInfo& mode) {
     const auto rows = rows_of(mode, verdicts);
-    return is_strength(mode) && std::any_of(rows.begin(), rows.end(), is_utilised);
+    return is_strength(mode) && !mode.is_limit && std::any_of(rows.begin(), rows.end(), is_utilised);
   };
   const auto& all = evaluation.calculator().modes;
   if (results.series.empty() || !is_load_told(evaluation) || is_loaded(evaluation.inputs())) return;

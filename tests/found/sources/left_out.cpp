@@ -27,6 +27,14 @@ TEST_SUITE("found loads left out") {
     CHECK(state(shaft_beside("T_of_another_machine = \"90 kN*m\"")) == "pass");
   }
 
+  TEST_CASE("a factor of [values] that no step has by its name") {
+    const auto state = [](const std::string& text) { return mode_of(solved_as_found(text), "shaft", "torsion"); };
+    CHECK(state(shaft_beside("K_A = 1.4")) == "not-judged");
+    CHECK(state(shaft_beside("K_A = 1.4", "K_A = \"=values.K_A\"\n")) == "pass");
+    CHECK(state(shaft_beside("K_A = 1.4", "because.K_A = \"T holds it\"\n")) == "pass");
+    CHECK(state(shaft_beside("teeth = 17")) == "pass");
+  }
+
   TEST_CASE("a strength of [values] is no load of a stress") {
     const std::string cycle =
         "[values]\nR_m_of_the_bolts = \"800 MPa\"\n\n[life]\ncalculator = \"fatigue.cycle\"\n"

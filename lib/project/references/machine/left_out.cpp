@@ -39,14 +39,29 @@ LargestLoad largest_load(const Step& step, const Project& project, const Dimensi
   return largest;
 }
 
+/// A factor of the step under the name of the value, with another number: "K_A".
+void hold_factor(const Step& step, const Project& project, const std::string& name, double si,
+                 std::vector<ReducedLoad>& found) {
+  constexpr double same = 1e-6;
+  const FieldInfo* const field = find_field(step.input().calculator->input->fields, name);
+  if (field == nullptr || !field->is_factor || !field->dimension.is_number()) return;
+  const double own = own_value(step, project, name);
+  if (std::abs(own - si) <= same * si) return;
+  found.push_back(
+      {name, say("values.{1} = {2} acts on no step, and {1} is {3} here: refer to it, delete it, or justify it: "
+                 "because.{1} = \"...\"",
+                 name, format_number(si, 6), std::isnan(own) ? "not given" : format_number(own, 6))});
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
   if (step.input().calculator == nullptr) return found;
   for (const auto& [name, value] : project.values.unused()) {
-    const LargestLoad own = largest_load(step, project, value.signature.dimension);
     const double si = std::abs(value.si.front());
+    if (value.signature.dimension.is_number()) hold_factor(step, project, name, si, found);
+    const LargestLoad own = largest_load(step, project, value.signature.dimension);
     if (own.path.empty() || !(si > own.si) || si > most_likely * own.si) continue;
     const std::string key = own.path.substr(0, own.path.find_first_of(".["));
     found.push_back(

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
@@ -40,16 +41,47 @@ void hold_parts_of_turn(const Step& step, const Project& project, std::vector<Re
   }
 }
 
+/// The largest force of each joint, by the path of its result.
+std::map<std::string, double> joint_forces(const Step& mechanism) {
+  std::map<std::string, double> forces;
+  for (const account::Entry& entry : mechanism.account().results) {
+    if (!entry.path.starts_with("joints.") || !entry.path.ends_with(".F")) continue;
+    double& most = forces[entry.path];
+    for (const double si : entry.value.si) most = std::fmax(most, std::abs(si));
+  }
+  return forces;
+}
+
 /// The least of the largest forces of the joints of a solved mechanism; NaN if it has none.
 double least_joint_force(const Step& mechanism) {
   double least = std::nan("");
-  for (const account::Entry& entry : mechanism.account().results) {
-    if (!entry.path.starts_with("joints.") || !entry.path.ends_with(".F") || entry.value.si.empty()) continue;
-    double most = 0.0;
-    for (const double si : entry.value.si) most = std::fmax(most, std::abs(si));
-    least = std::fmin(least, most);
-  }
+  for (const auto& [path, most] : joint_forces(mechanism)) least = std::fmin(least, most);
   return least;
+}
+
+/// Another load case of the same joints, with larger forces, that no step takes.
+void hold_lighter_case(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  for (const Taken& record : step.input().reading.records) {
+    const std::string name = split_step(record.source).first;
+    const Step* const taken = project.find(name);
+    if (taken == nullptr) continue;
+    const auto forces = joint_forces(*taken);
+    if (forces.empty()) continue;
+    for (const auto& other : project.steps) {
+      const auto is_of_it = [&](const std::string& path) { return path.starts_with(other->name() + "."); };
+      if (other.get() == taken || std::ranges::any_of(project.references, is_of_it)) continue;
+      const auto there = joint_forces(*other);
+      const bool is_heavier = std::ranges::equal(forces, there, [](const auto& light, const auto& heavy) {
+        return light.first == heavy.first && heavy.second >= light.second * (1.0 - 1e-6);
+      });
+      if (!is_heavier || there == forces) continue;
+      found.push_back(
+          {record.path, say("'{1}' has the same joints with larger forces, and no step takes them: assess that "
+                            "load case, or because.{2} = \"...\"",
+                            other->name(), record.path)});
+      return;
+    }
+  }
 }
 
 /// A force typed beside values of a mechanism: "F = 1 kN" with "n = =press.links.rod.omega".
@@ -80,6 +112,7 @@ std::vector<ReducedLoad> loads_of_mechanism(const Step& step, const Project& pro
   std::vector<ReducedLoad> found;
   if (step.input().calculator == nullptr) return found;
   hold_parts_of_turn(step, project, found);
+  hold_lighter_case(step, project, found);
   compare_typed_forces(step, project, found);
   return found;
 }

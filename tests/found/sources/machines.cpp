@@ -1,0 +1,130 @@
+// Regression tests of steps beside a mechanism, of steps that nothing takes, and of starts and repetitions.
+#include "tests/found/modes.hpp"
+#include "tests/pages.hpp"
+
+#include <string>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string press(const std::string& name, const std::string& force, const std::string& crank = "") {
+  return "[" + name +
+         "]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"200 mm\"\ncrank = { "
+         "speed = \"120 rpm\"" +
+         crank + " }\nloads = [{ name = \"work\", link = \"slider\", at = \"B\", F_x = \"-" + force +
+         "\", F_y = \"0 N\" }]\n\n";
+}
+
+std::string shaft(const std::string& lines = "") {
+  return "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"=peak(press.drive.M)\"\nd = \"60 mm\"\ntau_adm = \"40 "
+         "MPa\"\n" +
+         lines;
+}
+
+std::string pin(const std::string& force, const std::string& lines = "") {
+  return "[pin]\ncalculator = \"pin.joint\"\n" + force +
+         "n = \"=press.links.rod.omega\"\nheld = \"in_fork\"\nloading = \"pulsating\"\nd = \"20 mm\"\nt_1 = \"20 mm\"\n"
+         "t_2 = \"10 mm\"\nmaterial = \"C45E\"\np_adm_1 = \"40 MPa\"\np_adm_2 = \"80 MPa\"\npv_adm = \"2 MPa*m/s\"\n" +
+         lines;
+}
+
+std::string life(const std::string& sigma_D, const std::string& lines = "") {
+  return "[life]\ncalculator = \"fatigue.life\"\nsigma_max = \"150 MPa\"\nsigma_min = \"-150 MPa\"\nsigma_D = \"" +
+         sigma_D + "\"\nR_m = \"690 MPa\"\nR_e = \"490 MPa\"\ngroup = \"carbon-steel\"\nS_D = 1.5\nS_F = 1.5\n" + lines;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+std::string state(const std::string& text, std::string_view step, std::string_view mode) {
+  return mode_of(solved_as_found(text), step, mode);
+}
+
+}  // namespace
+
+TEST_SUITE("found machines") {
+  TEST_CASE("a peak at a few crank angles is not that of the cycle") {
+    CHECK(state(press("press", "8 kN") + shaft(), "shaft", "torsion") == "pass");
+    const std::string part = press("press", "8 kN", ", at = [\"0 deg\", \"2 deg\"]");
+    CHECK(state(part + shaft(), "shaft", "torsion") == "not-judged");
+    CHECK(state(part + shaft("because.T = \"it swings so far only\"\n"), "shaft", "torsion") == "pass");
+  }
+
+  TEST_CASE("a typed force beside values of a mechanism is not below those of its joints") {
+    const std::string machine = press("press", "8 kN");
+    CHECK(state(machine + pin("load = \"=press.joints.B\"\n"), "pin", "bending") == "pass");
+    CHECK(state(machine + pin("F = \"1 kN\"\n"), "pin", "bending") == "not-judged");
+    CHECK(state(machine + pin("F = \"9 kN\"\n"), "pin", "bending") == "pass");
+    CHECK(state(machine + pin("F = \"1 kN\"\n", "because.F = \"of the oil pump\"\n"), "pin", "bending") == "pass");
+  }
+
+  TEST_CASE("a heavier load case of the same joints that no step takes") {
+    const std::string taken = press("press", "8 kN") + pin("load = \"=press.joints.B\"\n");
+    CHECK(state(press("jam", "80 kN") + taken, "pin", "bending") == "not-judged");
+    CHECK(state(press("idle", "0.8 kN") + taken, "pin", "bending") == "pass");
+  }
+
+  TEST_CASE("a limit that tests give and nothing takes") {
+    const std::string survival =
+        "[s]\ncalculator = \"fatigue.survival\"\nsigma_0 = \"288 MPa\"\nN_0 = 1e6\nT_S = 1.25\n"
+        "k = 5\nP = 0.975\n\n";
+    CHECK(state(survival + life("=s.sigma_P"), "life", "infinite") == state(life("250 MPa"), "life", "infinite"));
+    CHECK(state(survival + life("=s.sigma_0"), "life", "infinite") == "not-judged");
+    CHECK(state(survival + life("300 MPa"), "life", "infinite") == "not-judged");
+  }
+
+  TEST_CASE("an effective length factor that nothing takes") {
+    const auto column = [](const std::string& ends) {
+      return "[k]\ncalculator = \"column.effective_length\"\nl = \"4 m\"\nE = \"210 GPa\"\nI = \"2003 cm^4\"\n"
+             "end_1 = \"elastic\"\nc_1 = \"40 kN*m/rad\"\nend_2 = \"pinned\"\n\n[col]\ncalculator = "
+             "\"column.buckling\"\n"
+             "section = \"HEB 200\"\nl = \"4 m\"\nP = \"500 kN\"\nmaterial = \"S235\"\nmethod = \"ec3\"\ngamma_M1 = 1\n"
+             "gamma_F = 1.4\n" +
+             ends;
+    };
+    CHECK(state(column("beta_y = 0.7\nbeta_z = 0.7\n"), "col", "buckling") == "not-judged");
+    CHECK(state(column("ends = \"fixed_fixed\"\n"), "col", "buckling") == "not-judged");
+    CHECK(state(column("beta_y = 1\nbeta_z = 1\n"), "col", "buckling") == "pass");
+    CHECK(state(column("beta_y = \"=k.beta\"\nbeta_z = \"=k.beta\"\n"), "col", "buckling") == "pass");
+  }
+
+  TEST_CASE("a column whose forces cancel is not assessed") {
+    const auto project = solved_as_found(
+        "[values]\nF = \"20 kN\"\n\n[rod]\ncalculator = \"column.buckling\"\n"
+        "P = \"=values.F - values.F\"\nl = \"100 mm\"\nd = \"10 mm\"\nends = "
+        "\"pinned_pinned\"\nmaterial = \"S235\"\nmethod = \"johnson\"\nn_st = 3\n");
+    CHECK(account::conclude(project::modes(project)).headline == account::Headline::incomplete);
+  }
+
+  TEST_CASE("a shaft has the peak factor of the start that its key is calculated for") {
+    const std::string gearbox = text_of(LOADPATH_ROOT "/examples/gearbox-shaft/project.toml");
+    CHECK(state(gearbox, "shaft", "yield") == "pass");
+    CHECK(state(replaced(gearbox, "k_max = 2 ", "k_max = 1 "), "shaft", "yield") == "not-judged");
+  }
+
+  TEST_CASE("an end has the test, the vacuum and the liquid of its shell") {
+    const auto vessel = [](const std::string& of_shell, const std::string& of_end, const std::string& more = "") {
+      return "[shell]\ncalculator = \"vessel.cylinder\"\np = \"0.4 MPa\"\nR = \"500 mm\"\nmeasured = \"inner\"\nc = "
+             "\"1 "
+             "mm\"\ndelta = \"10 mm\"\nmaterial = \"P265GH\"\nS = 1.5\n" +
+             of_shell +
+             "\n[head]\ncalculator = \"vessel.end\"\nshell = \"=shell.shell\"\nform = \"korbbogen\"\nmaterial = "
+             "\"P265GH\"\nl_f = \"40 mm\"\ndelta = \"10 mm\"\n" +
+             of_end + more;
+    };
+    const std::string test = "p_t = \"0.8 MPa\"\nh_t = \"0 mm\"\n";
+    CHECK(state(vessel("", ""), "head", "strength") == "pass");
+    CHECK(state(vessel(test, test), "head", "strength") == "pass");
+    CHECK(state(vessel(test, ""), "head", "strength") == "not-judged");
+    const std::string vacuum =
+        "\n[vacuum]\ncalculator = \"vessel.external\"\nwall = \"=shell.wall\"\np_e = \"0.1 MPa\"\n"
+        "L = \"1000 mm\"\nmaterial = \"P265GH\"\n";
+    CHECK(state(vessel("", "", vacuum), "head", "strength") == "not-judged");
+    CHECK(state(vessel("", "because.p = \"a pad of elastomer carries it\"\n", vacuum), "head", "strength") == "pass");
+  }
+}

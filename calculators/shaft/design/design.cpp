@@ -101,8 +101,9 @@ class Movement {
     for (const double there : loaded.T) T = std::max(T, std::abs(there));
     const auto [least, most] = std::minmax_element(loaded.phi.begin(), loaded.phi.end());
     r_.M_max = max(r_.M_max, from_si<Moment>(loaded.largest_moment())), r_.T_max = max(r_.T_max, from_si<Moment>(T));
-    r_.v_max = max(r_.v_max, from_si<Length>(loaded.largest_deflection())),
-    r_.theta_max = max(r_.theta_max, from_si<Twist>(loaded.twist));
+    r_.v_max = max(r_.v_max, from_si<Length>(loaded.largest_deflection()));
+    const Twist theta = from_si<Twist>(loaded.twist);
+    if (theta > r_.theta_max) r_.theta_max = theta, r_.T_theta = from_si<Moment>(loaded.twisting);
     r_.phi = std::max(r_.phi, *most - *least);
   }
 
@@ -114,7 +115,12 @@ class Movement {
 template <class Tracer>
 void stiffness(const Input& in, Result& r, Tracer& trace) {
   trace.value("v_max", r.v_max, "largest value along the shaft, with shear");
-  trace.value("theta_max", r.theta_max, "largest value along the shaft");
+  if (r.theta_max > from_si<Twist>(0.0)) {
+    const Moment T_theta = trace.value("T_theta", r.T_theta, "torque where the shaft twists most, K_A included");
+    const SecondMoment I_theta = trace.value("I_theta", T_theta / (in.G * r.theta_max),
+                                             "polar second moment of area of the thinnest section there");
+    STEP_TO(r, theta_max, T_theta / (in.G * I_theta), "largest angle of twist per unit length");
+  }
   if (is_set(in.v_adm)) {
     STEP_TO(r, u_y, r.v_max / in.v_adm, "deflection");
   }

@@ -31,6 +31,7 @@ struct Loaded {
   beam::Row<double> phi;   // twist of every node against the first
   double thrust = 0.0;     // that the fixed bearing takes, signed
   double twist = 0.0;      // the largest per length, rad/m
+  double twisting = 0.0;   // the torque that it is of, N m; unsigned
   /// Internal forces of a span at its left or right end.
   [[nodiscard]] Felt side(std::size_t span, bool right_end) const;
   [[nodiscard]] Felt felt(std::size_t node) const;

@@ -53,8 +53,8 @@ TEST_SUITE("cli why") {
     const Ran told = why(press_of_heavy_rod + rod, "rod");
     CHECK(told.code == 4);
     CHECK(before(told.out, "\n* d = ", "\nGoverning: "));
-    CHECK(before(told.out, "\nGoverning: ", "\n  r_λ = λ / λ_max "));
-    CHECK(before(told.out, "\n  r_λ = λ / λ_max ", "\nFrom\n"));
+    CHECK(before(told.out, "\nGoverning: ", "\n  u = F / P_all "));
+    CHECK(before(told.out, "\n  u = F / P_all ", "\nFrom\n"));
     CHECK(before(told.out, "\nFrom\n", "\nNot assessed: "));
     CHECK(contains(told.out, "link.member"));
   }

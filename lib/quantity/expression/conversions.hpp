@@ -1,13 +1,136 @@
 // Conversions that a product makes twice, or not at all: 2*pi times an angular velocity, a diameter for a radius.
 #pragma once
 
-#include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
-namespace loadpath::expression {
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace loadpath::expression::conversions {
+
+using KindOf = std::function<Meant(const std::string& path)>;
+
+inline constexpr Dimension length = Dimension::of(1, 0, 0), per_time = Dimension::of(0, 0, -1),
+                           speed = Dimension::of(1, 0, -1);
+inline constexpr Dimension of_power = Dimension::of(2, 1, -3), work = Dimension::of(2, 1, -2);
+inline constexpr Dimension force = Dimension::of(1, 1, -2), stress = Dimension::of(-1, 1, -2);
+
+/// "d", "D", "shaft.d_1", "segments[2].d".
+inline bool names_diameter(const std::string& path) {
+  const std::string name = path.substr(path.rfind('.') + 1);
+  return (name[0] == 'd' || name[0] == 'D') && (name.size() == 1 || name[1] == '_');
+}
+
+/// The factors of a product, each to its power.
+struct Factors {
+  double number = 1.0;                    // literals but pi
+  int pi = 0, speeds = 0, diameters = 0;  // powers
+};
+
+class Product {
+ public:
+  Product(const Tree& tree, const KindOf& of, const Declared& declared) : tree_(tree), of_(of), declared_(declared) {}
+
+  Fault judge(const Node& node) const {
+    switch (node.operation) {
+      case Operation::negate:
+        return judge(node.kids[0]);
+      case Operation::add:
+      case Operation::subtract: {
+        Fault first = judge(node.kids[0]);
+        return first.message.empty() ? judge(node.kids[1]) : first;
+      }
+      case Operation::multiply:
+      case Operation::divide:
+        return judge_product(node);
+      default:
+        return {};
+    }
+  }
+
+ private:
+  Fault judge_product(const Node& node) const {
+    const auto signature = check(tree_, node, declared_);
+    if (!signature) return {};
+    Factors f;
+    collect(node, 1, f);
+    const Dimension dimension = signature->dimension.without_angle();
+    const auto fault = [&](Message message, Message hint) {
+      return Fault{node.at, node.length, std::move(message), std::move(hint)};
+    };
+    const bool is_two_pi = f.pi == f.speeds && f.diameters == 0 && std::abs(f.number) == std::pow(2.0, f.pi);
+    if ((f.speeds == 1 && f.pi > 0 && dimension == per_time) ||
+        (std::abs(f.speeds) == 1 && is_two_pi && (dimension == speed || dimension == of_power || dimension == work)))
+      return fault(say("2*pi converts revolutions, and an angular velocity is in radians per time already"),
+                   say("leave out 2*pi"));
+    if (f.speeds == 1 && f.pi > 0 && f.diameters == 1 && dimension == speed)
+      return fault(say("pi*d*n takes revolutions per time, and an angular velocity is in radians per time"),
+                   say("write d/2 in place of pi*d"));
+    const bool is_bare = std::abs(f.number) == 1.0;
+    if (f.speeds == 1 && f.pi == 0 && f.diameters == 1 && dimension == speed && is_bare)
+      return fault(say("an angular velocity times a diameter is twice the speed of its edge"), say("write d/2"));
+    const bool is_of_circle = (f.pi == 1 && f.diameters == 2) || (f.pi == -1 && f.diameters == -2);
+    if (is_of_circle && is_bare && (dimension == force || dimension == stress))
+      return fault(say("pi*d^2 is four times the area of a circle"), say("write pi*d^2/4"));
+    return {};
+  }
+
+  void collect(const Node& node, int power, Factors& f) const {
+    switch (node.operation) {
+      case Operation::multiply:
+      case Operation::divide:
+        collect(node.kids[0], power, f);
+        collect(node.kids[1], node.operation == Operation::multiply ? power : -power, f);
+        return;
+      case Operation::negate:
+        collect(node.kids[0], power, f);
+        f.number *= power % 2 == 0 ? 1.0 : -1.0;
+        return;
+      case Operation::power:
+        if (is_constant(node.kids[1])) {
+          const double exponent = constant(node.kids[1]);
+          if (exponent == std::round(exponent) && std::abs(exponent) <= 8.0)
+            collect(node.kids[0], power * static_cast<int>(exponent), f);
+        }
+        return;
+      case Operation::literal:
+        collect_literal(node, power, f);
+        return;
+      case Operation::reference:
+        if (of_(node.path) == Meant::angular_speed) f.speeds += power;
+        if (names_diameter(node.path) && is_length(node)) f.diameters += power;
+        return;
+      default:
+        return;
+    }
+  }
+
+  static void collect_literal(const Node& node, int power, Factors& f) {
+    if (node.kind == Meant::angular_speed) f.speeds += power;
+    if (!node.dimension.is_number()) return;
+    if (node.si == std::numbers::pi)
+      f.pi += power;
+    else
+      f.number *= std::pow(node.si, power);
+  }
+
+  [[nodiscard]] bool is_length(const Node& node) const {
+    const auto signature = check(tree_, node, declared_);
+    return signature && signature->dimension == length;
+  }
+
+  const Tree& tree_;
+  const KindOf& of_;
+  const Declared& declared_;
+};
 
 /// The first product of the tree with such a conversion; a Fault without a message if there is none. `of`: the kinds of
 /// references. Only whole products are looked at, and the terms of sums: a part of one may go on to something else.
-Fault wrong_conversion(const Tree& tree, const Expression::KindOf& of, const Declared& declared);
+inline Fault wrong_conversion(const Tree& tree, const KindOf& of, const Declared& declared) {
+  return Product(tree, of, declared).judge(tree.root);
+}
 
-}  // namespace loadpath::expression
+}  // namespace loadpath::expression::conversions

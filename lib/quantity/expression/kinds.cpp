@@ -138,7 +138,6 @@ class KindWalk {
 
   Meant quotient(const Node& node) {
     const Meant a = of_node(node.kids[0]), b = of_node(node.kids[1]);
-    if (a == Meant::angular_speed && is_number(node.kids[1]) && holds_pi(node.kids[1])) return Meant::frequency;
     if (is_number(node.kids[1])) return multiple(a, node.kids[1]);
     const bool of_turns = holds_pi(node.kids[1]);
     if (is(node.kids[0], of_speed) && is(node.kids[1], Dimension::of(1, 0, 0)))
@@ -154,6 +153,7 @@ class KindWalk {
   static Meant multiple(Meant kind, const Node& by) {
     if (!holds_pi(by)) return kind;
     if (kind == Meant::frequency) return Meant::rate;
+    if (kind == Meant::angular_speed) return Meant::frequency;  // over 2*pi; times it is refused as a whole
     return kind == Meant::rate                            ? Meant::frequency
            : kind == Meant::work || kind == Meant::torque ? Meant::nothing
                                                           : kind;
@@ -179,7 +179,7 @@ class KindWalk {
 }  // namespace
 
 Outcome<Meant> Expression::kind(const KindOf& of, const Declared& declared) const {
-  Fault fault = expression::wrong_conversion(*tree_, of, declared);
+  Fault fault = expression::conversions::wrong_conversion(*tree_, of, declared);
   if (!fault.message.empty()) return fault;
   return KindWalk(*tree_, of, declared).run();
 }

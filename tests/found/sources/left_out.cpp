@@ -17,7 +17,7 @@ std::string shaft_beside(const std::string& values, const std::string& lines = "
 
 TEST_SUITE("found loads left out") {
   TEST_CASE("a larger torque of [values] that no step takes keeps a shaft from passing") {
-    const auto state = [](const std::string& text) { return mode_of(solved_as_found(text), "shaft", "torsion"); };
+    const auto state = [](const std::string& text) { return mode_of(solved_as_found(text), "shaft", "yield"); };
     CHECK(state(shaft_beside("")) == "pass");
     CHECK(state(shaft_beside("T_start = \"900 N*m\"")) == "not-judged");
     CHECK(state(shaft_beside("T_start = \"-900 N*m\"")) == "not-judged");
@@ -28,7 +28,7 @@ TEST_SUITE("found loads left out") {
   }
 
   TEST_CASE("a factor of [values] that no step has by its name") {
-    const auto state = [](const std::string& text) { return mode_of(solved_as_found(text), "shaft", "torsion"); };
+    const auto state = [](const std::string& text) { return mode_of(solved_as_found(text), "shaft", "yield"); };
     CHECK(state(shaft_beside("K_A = 1.4")) == "not-judged");
     CHECK(state(shaft_beside("K_A = 1.4", "K_A = \"=values.K_A\"\n")) == "pass");
     CHECK(state(shaft_beside("K_A = 1.4", "because.K_A = \"T holds it\"\n")) == "pass");

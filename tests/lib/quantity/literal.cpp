@@ -173,7 +173,7 @@ TEST_SUITE("quantity") {
         {"30 kg", force, 0, 5, "'30 kg' is a mass, a force is expected",
          "a force is written in N, kgf or lbf, a mass in kg or lb"},
         {"50 ft-lb", moment, 0, 8, "'50 ft-lb' is a quantity in kg*m, a moment is expected",
-         "a force is written in N, kgf or lbf, a mass in kg or lb"},
+         "lb is a mass: a torque is written in lbf*ft or lbf*in"},
         {"350 mpa", stress, 4, 3, "unknown unit 'mpa'", "did you mean 'MPa'?"},
         {"1,250 mm", length, 0, 5, "'1,250' is ambiguous", "write '1.250' or '1250'"},
         {"2 ft 3 in", length, 5, 1, "a second number '3'",

@@ -51,9 +51,8 @@ Cell largest_deviation(const std::vector<Comparison>& values) {
 }
 
 Table table_of_files(std::span<const VerifiedFile> files) {
-  Table table{say("Published cases"),
-              {say("subject"), say("values"), say("hold"), say("sources"), say("largest deviation")},
-              {}};
+  Table table{
+      say("Published cases"), {say("topic"), say("values"), say("hold"), say("sources"), say("largest deviation")}, {}};
   for (const VerifiedFile& file : files) {
     std::set<std::string> sources;
     for (const Comparison& value : file.values) sources.insert(key_of(value.expectation->source));
@@ -84,13 +83,13 @@ Paragraph introduction(std::span<const VerifiedFile> files) {
       sources.insert(key_of(value.expectation->source));
     }
   }
-  return {
-      say("{1} values of {2} sources, computed by this version: {3} hold, {4} miss. A value holds if it differs from "
-          "the published one by at most half a unit of its last printed digit, or by the tolerance that its case "
-          "states with the reason.",
-          std::to_string(values), std::to_string(sources.size()), std::to_string(values - misses),
-          std::to_string(misses)),
-      misses == 0 ? Paragraph::Tone::plain : Paragraph::Tone::warning};
+  return {say("Published values: {1}; sources: {2}. Computed by this version, {3} hold, {4} miss. A value holds if it "
+              "differs from "
+              "the published one by at most half a unit of its last printed digit, or by the tolerance that its case "
+              "states with the reason.",
+              std::to_string(values), std::to_string(sources.size()), std::to_string(values - misses),
+              std::to_string(misses)),
+          misses == 0 ? Paragraph::Tone::plain : Paragraph::Tone::warning};
 }
 
 }  // namespace

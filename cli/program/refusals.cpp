@@ -78,15 +78,28 @@ int unknown_option(const CLI::App& command, const std::string& word) {
   return refuse("unknown option '" + name + "'", meant(name.substr(2), options, say("{1}", otherwise), "--").text());
 }
 
+/// "FILE", as the help calls an argument.
+std::string shown_name(const CLI::Option& argument) {
+  std::string name = argument.get_name(true);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name;
+}
+
+/// The first required argument that was not given; null if there is none.
+const CLI::Option* missing_argument(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional() && option->get_required() && option->count() == 0) return option;
+  }
+  return nullptr;
+}
+
 /// "`loadpath diff BEFORE AFTER`", with the arguments that the command requires; empty if it requires none.
 std::string call_of(const CLI::App& command) {
   std::string call;
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_positional() || !option->get_required()) continue;
-    std::string name = option->get_name(true);
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    call += " " + name;
+    call += " " + shown_name(*option);
   }
   return call.empty() ? "" : "`" + path_of(command) + call + "`";
 }
@@ -179,8 +192,8 @@ int wrong_words(const CLI::App& app, const CLI::ParseError& error, const std::ve
     return refuse("'" + option->get_name() + "' is given more than once", "it takes one value: leave out all but one");
   }
   if (error.get_name() == "RequiredError") {
-    if (const std::string call = call_of(command); !call.empty())
-      return refuse("an argument is missing", call + "; " + help);
+    const CLI::Option* const missing = missing_argument(command);
+    if (missing != nullptr) return refuse(shown_name(*missing) + " is missing", call_of(command) + "; " + help);
   }
   const std::string said = error.what();
   if (error.get_name() == "ArgumentMismatch")

@@ -92,9 +92,8 @@ TEST_SUITE("cli help") {
   }
 
   TEST_CASE("a missing word and a word too many are told") {
-    CHECK(
-        loadpath_with({"run"}).error ==
-        "loadpath: an argument is missing\n  = help: `loadpath run FILE`; `loadpath run --help` shows what there is\n");
+    CHECK(loadpath_with({"run"}).error ==
+          "loadpath: FILE is missing\n  = help: `loadpath run FILE`; `loadpath run --help` shows what there is\n");
     CHECK(loadpath_with({"sweep", "a.toml", "b.toml"}).error ==
           "loadpath: 'b.toml' is not expected here\n  = help: `loadpath sweep --help` shows what there is\n");
     CHECK(loadpath_with({"run"}).code == 2);

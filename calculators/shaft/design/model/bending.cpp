@@ -122,8 +122,8 @@ void run_along(const Input& in, const Elastic& elastic, std::size_t position, Lo
     loaded.N.push_back(pull.behind(s));
     const Stretch& stretch = elastic.stretches[s];
     loaded.phi.push_back(loaded.phi.back() + loaded.T[s] * stretch.twists);
-    const double T = std::abs(loaded.T[s]), twist = T * stretch.most_twist;
-    if (twist > loaded.twist) loaded.twist = twist, loaded.twisting = T;
+    const double torsion = std::abs(loaded.T[s]), twist = torsion * stretch.most_twist;
+    if (twist > loaded.twist) loaded.twist = twist, loaded.twisting = torsion;
   }
 }
 

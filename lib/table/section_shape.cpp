@@ -87,7 +87,7 @@ double least_of_legs(const SectionShape& s) {
 /// moment of the area about an axis is at most the root of A I.
 std::optional<Misfit> misfit_of_constants(const SectionShape& s) {
   constexpr double off_centre = 1.15;  // of the axis that halves the area; fillets
-  constexpr double most_twist = 1.3;   // over the strips of an open section, all as thick as its thickest wall
+  constexpr double most_twist = 1.5;   // over the strips of an open section, all as thick as its thickest wall
   const double t = std::fmax(s.t_w, s.t_f), lever = s.h - (std::isnan(s.t_f) ? 0.0 : s.t_f);
   const double strips = is_open(s) ? most_twist * s.A * t * t / 3.0 : SectionShape::unknown;
   const double warped = is_flanged(s)         ? 0.25 * s.I_z * lever * lever

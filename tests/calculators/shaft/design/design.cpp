@@ -318,7 +318,7 @@ TEST_SUITE("shaft design") {
     CHECK(with_notch_at("100.0001 mm") == Approx(with_notch_at("100 mm")).epsilon(1e-4));
     CHECK(contains(says(pieces + "notches = [{ x = \"50 mm\", kind = \"keyway\", r = \"0.1 mm\" }]\n"), "leave out r"));
     CHECK(contains(says(pieces + "seats = [{ x = \"50 mm\", F_y = \"10 kN\", x_w = \"200 mm\" }]\n"),
-                   "must equal the torque T"));
+                   "F_y x_w = 2000 N·m, but the torque is T = 0 N·m"));
     CHECK(contains(says(pieces + "seats = [{ x = \"50 mm\", x_w = \"20 mm\", n = \"100 rpm\" }, { x = \"60 mm\", x_w = "
                                  "\"20 mm\", n = \"-100 rpm\" }]\n"),
                    "rotate in opposite directions in two steps"));

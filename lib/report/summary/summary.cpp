@@ -77,7 +77,9 @@ std::string counts_of(const account::Conclusion& all, const std::vector<Componen
   const std::size_t outside = all.count(Group::outside_scope), needs = all.count(Group::needs_input);
   if (all.headline == account::Headline::fail) {
     const std::size_t total = all.modes() - all.count(Group::not_considered);
-    std::string text = say("{1} of {2} fail", told(Group::fails), std::to_string(total)).text();
+    std::string text = say(all.count(Group::fails) == 1 ? "{1} of {2} fails" : "{1} of {2} fail", told(Group::fails),
+                           std::to_string(total))
+                           .text();
     if (needs > 0)
       text += ", " + say(needs == 1 ? "{1} needs input" : "{1} need input", told(Group::needs_input)).text();
     if (outside > 0) text += ", " + say("{1} outside the scope", told(Group::outside_scope)).text();

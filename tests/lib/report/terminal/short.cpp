@@ -113,7 +113,7 @@ TEST_SUITE("short answer") {
     const std::string text = terminal::short_answer(report::summarise(solved(failing, "a.toml")), Look{});
     CHECK(text.starts_with("FAIL  "));
     CHECK(contains(lines_of(text)[0], ", utilisation 1.336 (40.1 / 30 MPa)"));
-    CHECK(lines_of(text)[1].starts_with("1 of 1 fail, 0 pass"));
+    CHECK(lines_of(text)[1].starts_with("1 of 1 fails, 0 pass"));
     CHECK(contains(text, "  axle       d = 70 mm  "));
     CHECK(contains(text, " 1.336 █████████▶\n"));
   }

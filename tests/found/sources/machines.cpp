@@ -107,6 +107,21 @@ TEST_SUITE("found machines") {
     CHECK(state(replaced(gearbox, "k_max = 2 ", "k_max = 1 "), "shaft", "yield") == "not-judged");
   }
 
+  TEST_CASE("a disc turns no faster than it is calculated for") {
+    const auto run = [](const std::string& n) {
+      return "[disc]\ncalculator = \"machine.disc\"\nn = \"" + n +
+             "\"\nD = \"500 mm\"\nd_i = \"100 mm\"\nb = \"40 mm\"\nrho = \"7850 kg/m^3\"\nnu = 0.3\nE = \"210 "
+             "GPa\"\nR_e = "
+             "\"450 MPa\"\nS = 2\n\n[up]\ncalculator = \"machine.run_up\"\nparts = [{ name = \"disc\", J = "
+             "\"=disc.J_z\" }]\nmotor = [[\"0 rpm\", \"45 N*m\"], [\"6000 rpm\", \"60 N*m\"]]\nn_2 = \"6000 rpm\"\n";
+    };
+    const auto headline = [&](const std::string& n) {
+      return account::conclude(project::modes(solved_as_found(run(n)))).headline;
+    };
+    CHECK(headline("6000 rpm") == account::Headline::pass);
+    CHECK(headline("3000 rpm") == account::Headline::incomplete);
+  }
+
   TEST_CASE("an end has the test, the vacuum and the liquid of its shell") {
     const auto vessel = [](const std::string& of_shell, const std::string& of_end, const std::string& more = "") {
       return "[shell]\ncalculator = \"vessel.cylinder\"\np = \"0.4 MPa\"\nR = \"500 mm\"\nmeasured = \"inner\"\nc = "

@@ -2,6 +2,7 @@
 
 #include "lib/calculator/meaning.hpp"
 #include "lib/project/references/origins.hpp"
+#include "lib/project/references/references.hpp"
 #include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -76,7 +77,8 @@ class RunCheck {
   std::vector<ReducedLoad> run() {
     if (step_.input().calculator == nullptr) return {};
     speed_ = largest_input(&is_speed_of_run, speed_path_);
-    if (!(speed_ > 0.0)) return {};
+    compare_discs();
+    if (!(speed_ > 0.0)) return std::move(found_);
     moment_ = largest_input(&is_moment_of_motor, moment_path_);
     for (const std::string& source : steps_named_in(step_.input().reading)) compare_train(source);
     compare_shaft();
@@ -141,6 +143,23 @@ class RunCheck {
                           "because.motor = \"...\"",
                           format_quantity(moment_, "N*m", 4), format_number(most_of_motor), source,
                           format_quantity(rated, "N*m", 4)));
+  }
+
+  /// A disc whose moment of inertia is taken was calculated for its speed here.
+  void compare_discs() {
+    for (const Operand& operand : step_.input().reading.operands) {
+      const auto& references = operand.expression.references();
+      if (!operand.expression.is_reference() || !references.front().path.ends_with(".J_z")) continue;
+      const std::string disc = split_step(references.front().path).first;
+      const double u = own_value(step_, project_, prefix_of(operand.path) + "u");
+      const double own = speed_ > 0.0 ? speed_ : std::abs(own_value(step_, project_, "omega"));
+      const double n = own * (std::isnan(u) ? 1.0 : u), calculated = std::abs(magnitude_at(project_, disc + ".n"));
+      if (!(n > (1.0 + 1e-3) * calculated)) continue;
+      add(operand.path, say("the disc '{1}' turns with {2} here, and is calculated for {3}; justify it: because.{4} = "
+                            "\"...\"",
+                            disc, format_quantity(n, "rpm", 4), format_quantity(calculated, "rpm", 4),
+                            operand.path.substr(0, operand.path.find_first_of(".["))));
+    }
   }
 
   /// A run at the speed of another step loads its shaft by the moment of the motor, unless a peak factor covers it.

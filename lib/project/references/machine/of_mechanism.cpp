@@ -91,7 +91,8 @@ void compare_typed_forces(const Step& step, const Project& project, std::vector<
     if (source == nullptr || source == &step) continue;
     const double least = least_joint_force(*source);
     if (!(least > 0.0)) continue;
-    for (const auto& [path, typed] : step.input().reading.typed) {
+    for (const auto& entry : step.input().reading.typed) {
+      const std::string& path = entry.first;
       const Leaf leaf = find_leaf(step.input().reading.record, path);
       const bool is_force = leaf && leaf.field->is_load && leaf.field->dimension == force;
       const double own = is_force ? std::abs(leaf.get()) : std::nan("");

@@ -1,4 +1,5 @@
 #include "calculators/catalogue.hpp"
+#include "cli/catalogue/not_included.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe/field.hpp"
 #include "cli/describe/full.hpp"
@@ -19,7 +20,8 @@ int refuse(const std::string& id, const Message& hint) {
   return wrong_input;
 }
 
-/// The remedy for an unknown id: the calculators of an element, the one of this name, or the nearest id.
+/// The remedy for an unknown id: what is not included, the calculators of an element, the one of this name, or the
+/// nearest id.
 Message remedy(const std::string& id) {
   std::vector<std::string> ids, own;
   for (const Calculator* known : calculators()) {
@@ -28,6 +30,8 @@ Message remedy(const std::string& id) {
     if (std::string_view(known->id).ends_with("." + id)) return say("did you mean '{1}'?", known->id);
     for (const Template* t : known->templates) ids.push_back(std::string(known->id) + "." + t->id);
   }
+  if (const auto subjects = not_included(id.substr(0, id.find('.')), true); own.empty() && !subjects.empty())
+    return say("not included: {1}", subjects.front()->what);
   if (!own.empty()) return say("'{1}' is an element; `loadpath describe` takes one of {2}", id, joined(own));
   return project::calculator_meant(id, ids);
 }

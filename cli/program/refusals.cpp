@@ -196,6 +196,11 @@ int wrong_words(const CLI::App& app, const CLI::ParseError& error, const std::ve
     if (missing != nullptr) return refuse(shown_name(*missing) + " is missing", call_of(command) + "; " + help);
   }
   const std::string said = error.what();
+  // "--detail: long not in {brief,normal,full}"
+  const std::size_t value = said.find(": "), choices = said.find(" not in {");
+  if (value != std::string::npos && choices != std::string::npos && said.ends_with('}'))
+    return refuse("'" + said.substr(value + 2, choices - value - 2) + "' is not a value of " + said.substr(0, value),
+                  "one of " + said.substr(choices + 9, said.size() - choices - 10));
   if (error.get_name() == "ArgumentMismatch")
     return refuse("'" + said.substr(0, said.find(':')) + "' needs a value", help);
   return refuse(said, help);

@@ -55,10 +55,13 @@ bool is_of_record(const Reading& reading, const std::string& path) {
 Issue missing_field(const Lacking& lacking, const std::string& prefix) {
   const FieldInfo& field = *lacking.field;
   const bool in_unit = field.type == Type::quantity && std::string_view(field.unit) != "-";
+  const bool is_sought = *field.searched_in != '\0';
   return {lacking.place,
           prefix + lacking.path,
           say("'{1}' is missing: {2}", lacking.path, field.doc),
-          in_unit ? say("write {1} = \"... {2}\"", field.key, field.unit) : Message{},
+          in_unit && is_sought ? say("write {1} = \"... {2}\", or {1} = \"?\" to find it", field.key, field.unit)
+          : in_unit            ? say("write {1} = \"... {2}\"", field.key, field.unit)
+                               : Message{},
           Severity::error,
           KeyFault::missing};
 }

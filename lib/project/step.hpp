@@ -83,6 +83,10 @@ struct Reversal {
 struct ReducedLoad {
   std::string path;      // path of the input: "F"
   Message message = {};  // the value used, and the text to write in its place
+
+  bool operator==(const ReducedLoad& other) const {
+    return path == other.path && message.text() == other.message.text();
+  }
 };
 /// A size that the other steps of the same body have, of an input that this one searches for.
 struct BodySize {
@@ -181,9 +185,13 @@ class Step {
   /// the body have been compared.
   [[nodiscard]] const std::optional<BodyFacts>& body_facts() const { return body_facts_; }
   void set_body_facts(BodyFacts facts) { body_facts_ = std::move(facts); }
+  /// What other steps contradict (lib/project/references/machine); nothing before the step is first solved.
+  [[nodiscard]] const std::optional<std::vector<ReducedLoad>>& contradictions() const { return contradictions_; }
+  void set_contradictions(std::vector<ReducedLoad> all) { contradictions_ = std::move(all); }
   void forget_body() {
     body_sizes_.clear();
     body_facts_.reset();
+    contradictions_.reset();
   }
   /// Discards the previous solution.
   void forget() {
@@ -206,6 +214,7 @@ class Step {
   std::vector<Message> remarks_;
   std::map<std::string, BodySize> body_sizes_;
   std::optional<BodyFacts> body_facts_;
+  std::optional<std::vector<ReducedLoad>> contradictions_;
 };
 
 /// The type of object that a bare reference names.

@@ -103,7 +103,8 @@ class Movement {
     r_.M_max = max(r_.M_max, from_si<Moment>(loaded.largest_moment())), r_.T_max = max(r_.T_max, from_si<Moment>(T));
     r_.v_max = max(r_.v_max, from_si<Length>(loaded.largest_deflection()));
     const Twist theta = from_si<Twist>(loaded.twist);
-    if (theta > r_.theta_max) r_.theta_max = theta, r_.T_theta = from_si<Moment>(loaded.twisting);
+    if (theta > r_.theta_max)
+      r_.theta_max = theta, r_.T_theta = from_si<Moment>(loaded.twisting), r_.I_theta = polar_moment(in_, loaded);
     r_.phi = std::max(r_.phi, *most - *least);
   }
 
@@ -116,9 +117,10 @@ template <class Tracer>
 void stiffness(const Input& in, Result& r, Tracer& trace) {
   trace.value("v_max", r.v_max, "largest value along the shaft, with shear");
   if (r.theta_max > from_si<Twist>(0.0)) {
-    const Moment T_theta = trace.value("T_theta", r.T_theta, "torque where the shaft twists most, K_A included");
-    const SecondMoment I_theta = trace.value("I_theta", T_theta / (in.G * r.theta_max),
-                                             "polar second moment of area of the thinnest section there");
+    const Moment T_theta =
+        trace.value("T_theta", r.T_theta, "torque where the twist per unit length is largest, K_A included");
+    const SecondMoment I_theta =
+        trace.value("I_theta", r.I_theta, "polar second moment of area of the thinnest section there");
     STEP_TO(r, theta_max, T_theta / (in.G * I_theta), "largest angle of twist per unit length");
   }
   if (is_set(in.v_adm)) {

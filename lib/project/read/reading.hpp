@@ -89,6 +89,7 @@ struct Typed {
   bool mean_of_uncertain = false;
   std::string shared = {};  // "values.n", which it was written as
   bool of_point = false;    // the value of a point of the sweep
+  std::string part = {};    // of a file: its column, or its row
 };
 
 /// The content of a table for a record.

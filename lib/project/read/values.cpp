@@ -200,6 +200,16 @@ void Reader::read_formula(const Tree& tree, const FieldInfo& field, void* owner,
   field.set_text(owner, std::string_view(tree.text).substr(tree.text.starts_with('=') ? 1 : 0));
 }
 
+/// The column or the row of a file that a history is; the first column where neither is named.
+static std::string part_of_file(const Tree& tree) {
+  for (const char* const key : {"column", "row"}) {
+    if (const auto* const entry = tree.find(key); entry != nullptr)
+      return std::string(key) + " " +
+             (entry->value.text.empty() ? format_number(entry->value.number) : entry->value.text);
+  }
+  return "column 1";
+}
+
 void Reader::read_history_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   const bool of_file = names_history_file(tree);
   refuse_others(tree,
@@ -214,6 +224,7 @@ void Reader::read_history_of(const Tree& tree, const FieldInfo& field, void* own
     return say_at(key == nullptr ? tree.place : key->value.place, path, fault.fault.message, fault.fault.hint);
   }
   reading_.typed[path].text = of_file ? tree.find("file")->value.text : "values";
+  if (of_file) reading_.typed[path].part = part_of_file(tree);
   reading_.axes.push_back(std::move(history.axis));
   field.set_series(owner, std::move(history.series));
 }

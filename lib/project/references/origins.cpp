@@ -18,6 +18,18 @@ namespace loadpath::project {
 
 namespace {
 
+thread_local NotedReads* noting = nullptr;
+
+}  // namespace
+
+NotedReads::NotedReads() { noting = this; }
+NotedReads::~NotedReads() { noting = nullptr; }
+void NotedReads::note(const std::string& path) {
+  if (noting != nullptr) noting->paths_.insert(path);
+}
+
+namespace {
+
 /// The value of largest magnitude; NaN if there is none.
 double magnitude(const Value& value) {
   double most = std::nan("");
@@ -29,7 +41,13 @@ double magnitude(const Value& value) {
 
 }  // namespace
 
+std::string because_key(const std::string& path) {
+  const bool is_plain = path.find_first_of(".[") == std::string::npos;
+  return is_plain ? "because." + path : "because.\"" + path + "\"";
+}
+
 double magnitude_at(const Project& project, const std::string& path) {
+  NotedReads::note(path);
   const Value* const value = project.value(path);
   return value == nullptr ? std::nan("") : magnitude(*value);
 }
@@ -47,6 +65,7 @@ double magnitude_of(const Operand& operand, const Project& project) {
 }  // namespace
 
 double own_value(const Step& step, const Project& project, const std::string& path) {
+  NotedReads::note(step.name() + "." + path);
   const auto& operands = step.input().reading.operands;
   const auto operand = std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == path; });
   if (operand != operands.end()) return magnitude_of(*operand, project);

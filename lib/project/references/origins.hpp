@@ -3,6 +3,7 @@
 
 #include "lib/project/project.hpp"
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,25 @@ std::vector<ReducedLoad> values_of_others(const Step& step, const Project& proje
 
 /// Whether such a comparison is of numbers that may vary: at another point of a sweep it may end otherwise.
 bool compares_numbers(const Step& step, const Project& project);
+
+/// While it lives, notes the paths that comparisons of this thread read: "shaft.T", "values.F". A sweep that varies
+/// none of them need not compare again.
+class NotedReads {
+ public:
+  NotedReads();
+  ~NotedReads();
+  NotedReads(const NotedReads&) = delete;
+  NotedReads& operator=(const NotedReads&) = delete;
+
+  [[nodiscard]] const std::set<std::string>& paths() const { return paths_; }
+  static void note(const std::string& path);
+
+ private:
+  std::set<std::string> paths_;
+};
+
+/// How a reason for an input is written in a file: "because.F", because."seats[2].J".
+std::string because_key(const std::string& path);
 
 /// The value of largest magnitude at a path of a solved step; NaN if there is none.
 double magnitude_at(const Project& project, const std::string& path);

@@ -193,7 +193,10 @@ void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wan
   const std::size_t before = issues.size();
   for (int round = 0; true; ++round) {
     solve_steps(project, issues, wanted);
-    if (has_errors(issues) || !(hand_out_sizes(project, issues) || hand_out_facts(project, issues))) break;
+    const bool is_settled =
+        has_errors(issues) ||
+        !(hand_out_sizes(project, issues) || hand_out_facts(project, issues) || hand_out_contradictions(project));
+    if (is_settled) break;
     issues.resize(before);  // they are reported again with the sizes of the bodies
     if (round < most_rounds) continue;
     issues.push_back({project.steps.front()->input().place, "body", say("the sizes of the bodies do not settle"),

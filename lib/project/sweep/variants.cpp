@@ -1,6 +1,7 @@
 #include "lib/project/sweep/variants.hpp"
 
 #include "lib/project/modes.hpp"
+#include "lib/project/references/machine/machine.hpp"
 #include "lib/project/references/machine/same_part.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/solving/solve.hpp"
@@ -157,6 +158,25 @@ void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   way_ = !hangs_on_others && find_kernels() ? Way::columns : Way::alone;
 }
 
+/// Whether another value at a path may come with another point: of an input that varies or is computed, of a result.
+bool may_vary(const Project& project, const std::string& path, const std::set<std::string>& affected) {
+  const auto [name, rest] = split_step(path);
+  const Step* const step = project.find(name);
+  if (step == nullptr || !affected.contains(name)) return false;
+  const Reading& reading = step->input().reading;
+  const auto is_it = [&, &input = rest](const auto& one) { return one.path == input; };
+  if (std::ranges::any_of(reading.varied, is_it) || std::ranges::any_of(reading.operands, is_it)) return true;
+  return reading.record.data == nullptr || !find_leaf(reading.record, rest);
+}
+
+/// Whether the step is compared with others by numbers that vary.
+bool compares_with_others(const Step& step, const Project& project, const std::set<std::string>& affected) {
+  if (compares_numbers(step, project)) return true;
+  const NotedReads reads;
+  contradictions(step, project);
+  return std::ranges::any_of(reads.paths(), [&](const auto& path) { return may_vary(project, path, affected); });
+}
+
 /// Kernels of all steps; false if one of them takes more from others than numbers, or columns would bring no gain.
 bool Variants::find_kernels() {
   std::set<std::string> referred = wanted_.taken;
@@ -178,7 +198,8 @@ bool Variants::find_kernels() {
     Step& step = *project_.steps[i];
     auto* const calculator = dynamic_cast<CalculatorStep*>(&step);
     std::unique_ptr<PointStep> kernel;
-    if (affected.contains(step.name()) && (compares_numbers(step, project_) || takes_sizes(step, project_))) {
+    if (affected.contains(step.name()) &&
+        (compares_with_others(step, project_, affected) || takes_sizes(step, project_))) {
       kernels_.clear();
       return false;
     }

@@ -28,6 +28,7 @@ inline bool names_diameter(const std::string& path) {
 struct Factors {
   double number = 1.0;                    // literals but pi
   int pi = 0, speeds = 0, diameters = 0;  // powers
+  bool has_frequency = false;             // 2*pi may belong to it
 };
 
 class Product {
@@ -62,7 +63,9 @@ class Product {
       return Fault{node.at, node.length, std::move(message), std::move(hint)};
     };
     const bool is_two_pi = f.pi == f.speeds && f.diameters == 0 && std::abs(f.number) == std::pow(2.0, f.pi);
-    if ((f.speeds == 1 && f.pi > 0 && dimension == per_time) ||
+    const bool is_of_minutes = f.pi == 1 && f.diameters == 0 && std::abs(30.0 * std::abs(f.number) - 1.0) < 1e-12;
+    if (f.has_frequency) return {};
+    if ((f.speeds == 1 && (is_two_pi || is_of_minutes) && dimension == per_time) ||
         (std::abs(f.speeds) == 1 && is_two_pi && (dimension == speed || dimension == of_power || dimension == work)))
       return fault(say("2*pi converts revolutions, and an angular velocity is in radians per time already"),
                    say("leave out 2*pi"));
@@ -71,7 +74,8 @@ class Product {
                    say("write d/2 in place of pi*d"));
     const bool is_bare = std::abs(f.number) == 1.0;
     if (f.speeds == 1 && f.pi == 0 && f.diameters == 1 && dimension == speed && is_bare)
-      return fault(say("an angular velocity times a diameter is twice the speed of its edge"), say("write d/2"));
+      return fault(say("an angular velocity times a diameter is twice the circumferential speed"),
+                   say("write d/2; give a distance that is no diameter another name than d"));
     const bool is_of_circle = (f.pi == 1 && f.diameters == 2) || (f.pi == -1 && f.diameters == -2);
     if (is_of_circle && is_bare && (dimension == force || dimension == stress))
       return fault(say("pi*d^2 is four times the area of a circle"), say("write pi*d^2/4"));
@@ -101,6 +105,7 @@ class Product {
         return;
       case Operation::reference:
         if (of_(node.path) == Meant::angular_speed) f.speeds += power;
+        f.has_frequency = f.has_frequency || of_(node.path) == Meant::frequency;
         if (names_diameter(node.path) && is_length(node)) f.diameters += power;
         return;
       default:
@@ -108,8 +113,10 @@ class Product {
     }
   }
 
-  static void collect_literal(const Node& node, int power, Factors& f) {
-    if (node.kind == Meant::angular_speed) f.speeds += power;
+  void collect_literal(const Node& node, int power, Factors& f) const {
+    const bool is_in_radians = tree_.written(node).find("rad") != std::string::npos;  // "10*pi*1 rad/s"
+    if (node.kind == Meant::angular_speed && !is_in_radians) f.speeds += power;
+    f.has_frequency = f.has_frequency || node.kind == Meant::frequency;
     if (!node.dimension.is_number()) return;
     if (node.si == std::numbers::pi)
       f.pi += power;

@@ -123,7 +123,7 @@ void run_along(const Input& in, const Elastic& elastic, std::size_t position, Lo
     const Stretch& stretch = elastic.stretches[s];
     loaded.phi.push_back(loaded.phi.back() + loaded.T[s] * stretch.twists);
     const double torsion = std::abs(loaded.T[s]), twist = torsion * stretch.most_twist;
-    if (twist > loaded.twist) loaded.twist = twist, loaded.twisting = torsion;
+    if (twist > loaded.twist) loaded.twist = twist, loaded.twisting = torsion, loaded.flexible = stretch.most_twist;
   }
 }
 

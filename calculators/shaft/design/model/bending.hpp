@@ -32,6 +32,7 @@ struct Loaded {
   double thrust = 0.0;     // that the fixed bearing takes, signed
   double twist = 0.0;      // the largest per length, rad/m
   double twisting = 0.0;   // the torque that it is of, N m; unsigned
+  double flexible = 0.0;   // 1/(G I_p) there, rad/(N m^2)
   /// Internal forces of a span at its left or right end.
   [[nodiscard]] Felt side(std::size_t span, bool right_end) const;
   [[nodiscard]] Felt felt(std::size_t node) const;

@@ -218,7 +218,8 @@ struct DesignResult {
   Moment M_max = unset<Moment>, T_max = unset<Moment>;
   Length v_max = unset<Length>;
   Twist theta_max = unset<Twist>;
-  Moment T_theta = unset<Moment>;  // its torque
+  Moment T_theta = unset<Moment>;              // its torque
+  SecondMoment I_theta = unset<SecondMoment>;  // and polar second moment of area
   double phi = unset<double>, psi = unset<double>;
   AngularSpeed n_c = unset<AngularSpeed>, n_R = unset<AngularSpeed>, n_D = unset<AngularSpeed>;
   AngularSpeed n_F = unset<AngularSpeed>;

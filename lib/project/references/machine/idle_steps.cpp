@@ -14,7 +14,7 @@ namespace loadpath::project {
 
 namespace {
 
-bool is_alike(double one, double other, double share) { return std::abs(one - other) <= share * other; }
+bool is_within(double one, double other, double share) { return std::abs(one - other) <= share * other; }
 
 bool is_fatigue_limit(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
 
@@ -38,7 +38,7 @@ bool has_result(const Step& step, std::string_view key) {
 bool is_of_same_material(const Step& one, const Step& other, const Project& project) {
   const std::string row = material_of(one);
   if (!row.empty() && row == material_of(other)) return true;
-  return is_alike(own_value(other, project, "R_m"), own_value(one, project, "R_m"), 0.01);
+  return is_within(own_value(other, project, "R_m"), own_value(one, project, "R_m"), 0.01);
 }
 
 /// Whether a step finds such a fatigue limit and takes none: in torsion that of shear stresses.
@@ -86,11 +86,21 @@ void compare_limit(const Step& step, const Project& project, std::vector<Reduced
       const bool is_found =
           finds_limit(*other, key) && !is_referred_to(project, path) && is_of_same_material(step, *other, project);
       if (!is_found) path = std::string_view(key) == "sigma_D" ? idle_limit_of_tests(*other, project) : "";
-      if (path.empty() || own_value(step, project, key) <= magnitude_at(project, path)) continue;
+      if (path.empty() || !(own_value(step, project, key) > magnitude_at(project, path))) continue;
       found.push_back({key, say("{1} is typed, and no step uses '{2}': write {1} = \"={2}\", or because.{1} = \"...\"",
                                 key, path)});
     }
   }
+}
+
+/// Whether the effective length that is typed is shorter than of this factor: as a factor, or as clamped ends.
+bool is_shorter(const Step& step, const Project& project, const std::string& key, double beta) {
+  if (key.starts_with("beta")) return own_value(step, project, key) < beta * (1.0 - 1e-3);
+  constexpr double clamped = 0.5, clamped_and_pinned = 0.699;
+  const Leaf ends = find_leaf(step.input().reading.record, key);
+  const std::string word = ends && ends.field->type == FieldInfo::Type::choice ? std::string(word_of(ends)) : "";
+  if (word == "fixed_fixed") return clamped < beta * (1.0 - 1e-3);
+  return (word == "fixed_pinned" || word == "pinned_fixed") && clamped_and_pinned < beta * (1.0 - 1e-3);
 }
 
 /// The ends of a column that are typed, in a file with a step that finds the effective length of such a column.
@@ -101,13 +111,13 @@ void compare_effective_length(const Step& step, const Project& project, std::vec
       continue;
     const std::string beta = other->name() + ".beta";
     if (is_referred_to(project, beta) || is_referred_to(project, other->name() + ".s") ||
-        !is_alike(own_value(*other, project, "l"), l, 1e-3))
+        !is_within(own_value(*other, project, "l"), l, 1e-3))
       continue;
-    for (const char* const key : {"beta", "beta_y", "beta_z", "ends", "ends_y", "ends_z"}) {
-      const bool is_longer = own_value(step, project, key) >= magnitude_at(project, beta) * (1.0 - 1e-3);
-      if (!step.input().reading.typed.contains(key) || is_longer) continue;
+    const double found_there = magnitude_at(project, beta);
+    for (const char* const key : {"beta_y", "beta_z", "ends", "ends_y", "ends_z"}) {
+      if (!step.input().reading.typed.contains(key) || !is_shorter(step, project, key, found_there)) continue;
       found.push_back(
-          {key, say("{1} is typed, and no step uses '{2}', of a bar of the same length: write beta_y or beta_z "
+          {key, say("{1} is typed, and no step uses '{2}' of a bar of the same length: write beta_y or beta_z "
                     "= \"={2}\", or because.{1} = \"...\"",
                     key, beta)});
       break;

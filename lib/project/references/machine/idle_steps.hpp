@@ -1,4 +1,4 @@
-// Steps whose result nothing takes, next to a step that types it: a fatigue limit, an effective length factor.
+// Results that no step takes, next to an input that is typed: a fatigue limit, an effective length factor.
 #pragma once
 
 #include "lib/project/project.hpp"

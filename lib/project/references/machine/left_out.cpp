@@ -11,7 +11,7 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double most_likely =
+constexpr double implausible_ratio =
     10.0;  // times the load of the step: beyond, it is another quantity of the same dimension
 
 /// A stress is no load that another one of [values] could be meant for: that may be a strength.
@@ -29,10 +29,11 @@ struct LargestLoad {
   const char* unit = "";
 };
 
-LargestLoad largest_load(const Step& step, const Project& project, const Dimension& dimension) {
+/// Only under a symbol of the same letter: "T_start" may be meant for T, "F_crane" is not a force P.
+LargestLoad largest_load(const Step& step, const Project& project, char letter, const Dimension& dimension) {
   LargestLoad largest;
   for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-    if (!is_comparable(*leaf.field) || !(leaf.field->dimension == dimension)) return;
+    if (!is_comparable(*leaf.field) || leaf.field->key[0] != letter || !(leaf.field->dimension == dimension)) return;
     const double si = std::abs(own_value(step, project, path));
     if (si > largest.si) largest = {path, si, leaf.field->unit};
   });
@@ -40,13 +41,13 @@ LargestLoad largest_load(const Step& step, const Project& project, const Dimensi
 }
 
 /// A factor of the step under the name of the value, with another number: "K_A".
-void hold_factor(const Step& step, const Project& project, const std::string& name, double si,
-                 std::vector<ReducedLoad>& found) {
+void compare_factor(const Step& step, const Project& project, const std::string& name, double si,
+                    std::vector<ReducedLoad>& found) {
   constexpr double same = 1e-6;
   const FieldInfo* const field = find_field(step.input().calculator->input->fields, name);
   if (field == nullptr || !field->is_factor || !field->dimension.is_number()) return;
   const double own = own_value(step, project, name);
-  if (std::abs(own - si) <= same * si) return;
+  if (std::abs(own) >= si * (1.0 - same)) return;
   found.push_back(
       {name, say("values.{1} = {2} acts on no step, and {1} is {3} here: refer to it, delete it, or justify it: "
                  "because.{1} = \"...\"",
@@ -60,9 +61,10 @@ std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project
   if (step.input().calculator == nullptr) return found;
   for (const auto& [name, value] : project.values.unused()) {
     const double si = std::abs(value.si.front());
-    if (value.signature.dimension.is_number()) hold_factor(step, project, name, si, found);
-    const LargestLoad own = largest_load(step, project, value.signature.dimension);
-    if (own.path.empty() || !(si > own.si) || si > most_likely * own.si) continue;
+    if (value.signature.dimension.is_number()) compare_factor(step, project, name, si, found);
+    const LargestLoad own = largest_load(step, project, name[0], value.signature.dimension);
+    if (project.values.kind(name) == Meant::work) continue;
+    if (own.path.empty() || !(si > own.si) || si > implausible_ratio * own.si) continue;
     const std::string key = own.path.substr(0, own.path.find_first_of(".["));
     found.push_back(
         {key, say("values.{1} = {2} acts on no step, and {3} is {4}: refer to it, delete it, or justify it: "

@@ -16,14 +16,32 @@
 
 namespace loadpath::project {
 
-void check_machine(Step& step, const Project& project) {
-  for (const auto& contradicted :
+std::vector<ReducedLoad> contradictions(const Step& step, const Project& project) {
+  std::vector<ReducedLoad> all;
+  for (const auto& found :
        {values_of_runs(step, project), factors_of_takers(step, project), lives_on_shaft(step, project),
         values_of_ratings(step, project), values_at_middle(step), values_of_same_part(step, project),
         powers_of_chained(step, project), values_of_seats(step, project), values_of_unlinked(step, project),
         values_of_vessels(step, project), loads_left_out(step, project), loads_of_mechanism(step, project),
         repetitions_of_others(step, project), values_of_idle_steps(step, project)})
-    hold_unless_justified(step, contradicted);
+    all.insert(all.end(), found.begin(), found.end());
+  return all;
+}
+
+void check_machine(Step& step, const Project& project) {
+  if (!step.contradictions()) step.set_contradictions(contradictions(step, project));
+  hold_unless_justified(step, *step.contradictions());
+}
+
+bool hand_out_contradictions(Project& project) {
+  bool changed = false;
+  for (const auto& step : project.steps) {
+    std::vector<ReducedLoad> now = contradictions(*step, project);
+    if (step->contradictions() == now) continue;
+    step->set_contradictions(std::move(now));
+    changed = true;
+  }
+  return changed;
 }
 
 }  // namespace loadpath::project

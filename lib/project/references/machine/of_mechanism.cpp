@@ -24,7 +24,7 @@ bool is_at_given_angles(const Step& step) {
   return std::ranges::any_of(typed, [](const auto& entry) { return entry.first.starts_with(given_angles); });
 }
 
-void hold_parts_of_turn(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+void compare_parts_of_turn(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   std::set<std::string> held;
   for (const Operand& operand : step.input().reading.operands) {
     if (!operand.leaf.field->is_load || held.contains(operand.path)) continue;
@@ -34,8 +34,8 @@ void hold_parts_of_turn(const Step& step, const Project& project, std::vector<Re
       held.insert(operand.path);
       found.push_back(
           {operand.path, say("'{1}' is solved at given crank angles, not over its cycle: leave out crank.at, "
-                             "or justify it: because.{2} = \"...\"",
-                             source->name(), operand.path)});
+                             "or justify it: {2} = \"...\"",
+                             source->name(), because_key(operand.path))});
       break;
     }
   }
@@ -43,6 +43,7 @@ void hold_parts_of_turn(const Step& step, const Project& project, std::vector<Re
 
 /// The largest force of each joint, by the path of its result.
 std::map<std::string, double> joint_forces(const Step& mechanism) {
+  NotedReads::note(mechanism.name() + ".joints");
   std::map<std::string, double> forces;
   for (const account::Entry& entry : mechanism.account().results) {
     if (!entry.path.starts_with("joints.") || !entry.path.ends_with(".F")) continue;
@@ -60,7 +61,7 @@ double least_joint_force(const Step& mechanism) {
 }
 
 /// Another load case of the same joints, with larger forces, that no step takes.
-void hold_lighter_case(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+void compare_load_cases(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   for (const Taken& record : step.input().reading.records) {
     const std::string name = split_step(record.source).first;
     const Step* const taken = project.find(name);
@@ -77,8 +78,8 @@ void hold_lighter_case(const Step& step, const Project& project, std::vector<Red
       if (!is_heavier || there == forces) continue;
       found.push_back(
           {record.path, say("'{1}' has the same joints with larger forces, and no step takes them: assess that "
-                            "load case, or because.{2} = \"...\"",
-                            other->name(), record.path)});
+                            "load case, or {2} = \"...\"",
+                            other->name(), because_key(record.path))});
       return;
     }
   }
@@ -95,7 +96,7 @@ void compare_typed_forces(const Step& step, const Project& project, std::vector<
       const std::string& path = entry.first;
       const Leaf leaf = find_leaf(step.input().reading.record, path);
       const bool is_force = leaf && leaf.field->is_load && leaf.field->dimension == force;
-      const double own = is_force ? std::abs(leaf.get()) : std::nan("");
+      const double own = is_force ? std::abs(own_value(step, project, path)) : std::nan("");
       const auto& operands = step.input().reading.operands;
       const bool is_taken = std::ranges::any_of(operands, [&](const Operand& o) { return o.path == path; });
       if (is_taken || path.find_first_of(".[") != std::string::npos || !(own > 0.0 && own < 0.99 * least)) continue;
@@ -112,8 +113,8 @@ void compare_typed_forces(const Step& step, const Project& project, std::vector<
 std::vector<ReducedLoad> loads_of_mechanism(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
   if (step.input().calculator == nullptr) return found;
-  hold_parts_of_turn(step, project, found);
-  hold_lighter_case(step, project, found);
+  compare_parts_of_turn(step, project, found);
+  compare_load_cases(step, project, found);
   compare_typed_forces(step, project, found);
   return found;
 }

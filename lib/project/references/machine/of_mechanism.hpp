@@ -1,4 +1,4 @@
-// Loads of a mechanism: over its cycle, and not of less than the step says beside it.
+// Loads from a mechanism: over its full cycle, and typed forces not below its joint forces.
 #pragma once
 
 #include "lib/project/project.hpp"

@@ -29,8 +29,8 @@ std::string source_of_history(const Step& step) {
   if (operand != nullptr && !operand->expression.references().empty())
     return operand->expression.references().front().path;
   const auto typed = step.input().reading.typed.find(history);
-  const bool is_file = typed != step.input().reading.typed.end() && typed->second.text.find('.') != std::string::npos;
-  return is_file ? typed->second.text : "";
+  const bool is_file = typed != step.input().reading.typed.end() && !typed->second.part.empty();
+  return is_file ? typed->second.text + ", " + typed->second.part : "";
 }
 
 /// Another step that counts the same history for a longer time.
@@ -54,7 +54,9 @@ void compare_histories(const Step& step, const Project& project, std::vector<Red
 void compare_turns(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   constexpr double least = 1e3;
   const double own = own_value(step, project, "n_req");
-  const Value* const series = project.value(source_of_history(step));
+  const std::string source = source_of_history(step);
+  NotedReads::note(source);
+  const Value* const series = project.value(source);
   if (!(own < least) || series == nullptr || !series->is_series() || !series->signature.axis->cyclic()) return;
   found.push_back({"n_req", say("n_req = {1}, and the history is one cycle of '{2}': give the cycles of its life, or "
                                 "because.n_req = \"...\"",
@@ -64,15 +66,19 @@ void compare_turns(const Step& step, const Project& project, std::vector<Reduced
 /// Blocks that all turn slower than the shaft which the bearing sits on.
 void compare_blocks(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   double fastest = std::nan("");
+  bool is_as_shaft = false;  // a block without a speed of its own
   for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-    if (path.starts_with("blocks") && path.ends_with(".n") && leaf.field->is_number())
-      fastest = std::fmax(fastest, std::abs(own_value(step, project, path)));
+    if (!path.starts_with("blocks") || !path.ends_with(".n") || !leaf.field->is_number()) return;
+    const double n = own_value(step, project, path);
+    is_as_shaft = is_as_shaft || std::isnan(n);
+    fastest = std::fmax(fastest, std::abs(n));
   });
+  if (is_as_shaft) return;
   for (const Taken& record : step.input().reading.records) {
     const std::string shaft = split_step(record.source).first;
     const double n = std::abs(magnitude_at(project, shaft + ".n"));
     if (!(fastest < 0.99 * n)) continue;
-    found.push_back({"blocks", say("all blocks turn slower than '{1}', {2}: the fastest with {3}; justify it: "
+    found.push_back({"blocks", say("all blocks are slower than '{1}' ({2}), the fastest has {3}; justify it: "
                                    "because.blocks = \"...\"",
                                    shaft, format_quantity(n, "rpm", 4), format_quantity(fastest, "rpm", 4))});
     return;

@@ -1,4 +1,4 @@
-// How often a load comes: of two steps with one history, of a history over one turn, of the blocks of a bearing.
+// Repetitions of a load: of two steps with one history, of a history over one turn, of the blocks of a bearing.
 #pragma once
 
 #include "lib/project/project.hpp"

@@ -51,8 +51,8 @@ class SeatCheck {
     const std::string path = prefix_of(record.path) + "b";
     const double rim = magnitude_at(project_, record.source + ".b_r"), b = own_value(shaft_, project_, path);
     if (std::isnan(magnitude_at(project_, record.source + ".h_t")) || !(b < least * rim)) return;
-    add(path, say("{1} = {2}, and the rim of '{3}' is {4} wide; justify it: because.{1} = \"...\"", path,
-                  format_quantity(b, "mm", 4), record.source, format_quantity(rim, "mm", 4)));
+    add(path, say("{1} = {2}, and the rim of '{3}' is {4} wide; justify it: {5} = \"...\"", path,
+                  format_quantity(b, "mm", 4), record.source, format_quantity(rim, "mm", 4), because_key(path)));
   }
 
   /// The components of a tooth force belong together: their senses are those of the record.
@@ -65,8 +65,8 @@ class SeatCheck {
     if (!key.starts_with("F_") || !source.ends_with("." + key)) return;
     if (std::isnan(magnitude_at(project_, gear + ".h_t"))) return;
     add(operand.path, say("{1} is not the component of '{2}' as it is: take all with load = \"={2}\", or "
-                          "because.{1} = \"...\"",
-                          operand.path, gear));
+                          "{3} = \"...\"",
+                          operand.path, gear, because_key(operand.path)));
   }
 
   /// A connection whose torque is typed has the application factor of its shaft, unless the loads of the shaft
@@ -89,22 +89,22 @@ class SeatCheck {
     const std::string path = prefix_of(record.path) + "b";
     const double b = own_value(shaft_, project_, path), l_n = own_value(*connection, project_, "l_n");
     if (!(b < (1.0 - rounded) * l_n)) return;
-    add(path, say("{1} = {2}, and the hub of '{3}' is {4} long; justify it: because.{1} = \"...\"", path,
-                  format_quantity(b, "mm", 4), connection->name(), format_quantity(l_n, "mm", 4)));
+    add(path, say("{1} = {2}, and the hub of '{3}' is {4} long; justify it: {5} = \"...\"", path,
+                  format_quantity(b, "mm", 4), connection->name(), format_quantity(l_n, "mm", 4), because_key(path)));
   }
 
   /// The start that a key or spline is calculated for goes through the shaft, too.
   void compare_start(const Taken& record) {
     const Step* const connection = project_.find(split_step(record.source).first);
-    if (connection == nullptr || !connects(*connection)) return;
+    if (connection == nullptr || !connects(*connection) || !has_peak_factor()) return;
     const double T_max = std::abs(own_value(*connection, project_, "T_max"));
     const double T = std::abs(own_value(*connection, project_, "T")), K_A = own_value(*connection, project_, "K_A");
     const double k_max = own_value(shaft_, project_, "k_max"), peak = T_max / T / std::fmax(1.0, K_A);
-    if (!(peak > (1.0 + rounded) * std::fmax(1.0, k_max)) || !shaft_has_peak()) return;
-    add("k_max", say("k_max = {1}, and '{2}' carries T_max = {3} T: give k_max, or because.k_max = \"...\"",
+    if (!(peak > (1.0 + rounded) * std::fmax(1.0, k_max))) return;
+    add("k_max", say("k_max = {1}, and '{2}' carries T_max = {3} K_A T: give k_max, or because.k_max = \"...\"",
                      format_number(std::fmax(1.0, k_max), 4), connection->name(), format_number(peak, 4)));
   }
-  [[nodiscard]] bool shaft_has_peak() const {
+  [[nodiscard]] bool has_peak_factor() const {
     return find_field(shaft_.input().calculator->input->fields, "k_max") != nullptr;
   }
 
@@ -118,10 +118,11 @@ class SeatCheck {
     });
     const double least = mass * d * d / 8.0;
     if (!(J < (1.0 - rounded) * least)) return;
-    add(seat + "J", say("{1} = {2} is too low for a mass of {3} around a shaft of {4}, at least {5}; justify it: "
-                        "because.{1} = \"...\"",
-                        seat + "J", format_quantity(J, "kg*m^2", 3), format_quantity(mass, "kg", 3),
-                        format_quantity(d, "mm", 4), format_quantity(least, "kg*m^2", 3)));
+    add(seat + "J",
+        say("{1} = {2} is too low for a mass of {3} that turns with a shaft of {4}, at least {5}; justify it: "
+            "{6} = \"...\"",
+            seat + "J", format_quantity(J, "kg*m^2", 3), format_quantity(mass, "kg", 3), format_quantity(d, "mm", 4),
+            format_quantity(least, "kg*m^2", 3), because_key(seat + "J")));
   }
 
   /// A body of the width of the seat with this moment of inertia has at least a ninth of the mass of a solid steel
@@ -134,9 +135,9 @@ class SeatCheck {
     const double of_disc = std::sqrt(2.0 * std::numbers::pi * steel * b * J);
     if (!(mass < least * of_disc)) return;
     add(seat + "mass", say("{1} = {2} is too low for J = {3} and {4} = {5}: a steel disc has {6}; justify it: "
-                           "because.{1} = \"...\"",
+                           "{7} = \"...\"",
                            seat + "mass", format_quantity(mass, "kg", 3), format_quantity(J, "kg*m^2", 3), seat + "b",
-                           format_quantity(b, "mm", 4), format_quantity(of_disc, "kg", 3)));
+                           format_quantity(b, "mm", 4), format_quantity(of_disc, "kg", 3), because_key(seat + "mass")));
   }
 
   const Step& shaft_;

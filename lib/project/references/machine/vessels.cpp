@@ -87,6 +87,7 @@ void compare_vacuum(const Step& step, const Project& project, std::vector<Reduce
   const auto& fields = step.input().calculator->input->fields;
   if (find_field(fields, "wall") == nullptr || find_field(fields, "p_e") == nullptr) return;
   if (!step.input().reading.typed.contains("delta") || takes_record(step, "wall")) return;
+  if (!steps_named_in(step.input().reading).empty()) return;  // of a wall without a record, by its sizes
   const Step* const wall = step_with(project, "wall");
   if (wall == nullptr) return;
   found.push_back({"delta", say("this step does not refer to '{1}', whose diameter, thickness and allowance it has: "
@@ -94,12 +95,13 @@ void compare_vacuum(const Step& step, const Project& project, std::vector<Reduce
                                 wall->name())});
 }
 
-/// Whether a step under external pressure takes the record of this wall.
+/// Whether a step under external pressure takes the record or the sizes of this wall.
 bool is_assessed_from_outside(const Step& wall, const Project& project) {
-  const std::string record = wall.name() + ".wall";
   return std::ranges::any_of(project.steps, [&](const auto& step) {
-    return std::ranges::any_of(step->input().reading.records,
-                               [&](const Taken& taken) { return taken.source == record; });
+    return step->input().calculator != nullptr &&
+           find_field(step->input().calculator->input->fields, "p_e") != nullptr &&
+           find_field(step->input().calculator->input->fields, "wall") != nullptr &&
+           steps_named_in(step->input().reading).contains(wall.name());
   });
 }
 
@@ -111,8 +113,8 @@ void compare_end_in_vacuum(const Step& step, const Project& project, std::vector
   const Step* const wall = project.find(split_step(shell->source).first);
   if (wall == nullptr || !is_assessed_from_outside(*wall, project)) return;
   found.push_back({"p", say("'{1}' is assessed under external pressure, and this end is not: add a step of "
-                            "vessel.external for it, or because.p = \"...\"",
-                            wall->name())});
+                            "vessel.external with its sizes, D_a and delta = \"={2}.delta\", or because.p = \"...\"",
+                            wall->name(), step.name())});
 }
 
 /// A wall without the liquid of another one of its vessel: the same [values] give their pressure, or it takes the
@@ -121,7 +123,12 @@ void compare_liquid(const Step& step, const Project& project, std::vector<Reduce
   constexpr double g = 9.80665;
   const auto& own = step.input().reading;
   const auto typed = own.typed.find("p");
-  if (typed == own.typed.end() || own.typed.contains("rho")) return;
+  if (typed == own.typed.end()) return;
+  const auto pressure_at_bottom = [&](const Step& wall) {
+    const double head = g * own_value(wall, project, "rho") * own_value(wall, project, "h_l");
+    return own_value(wall, project, "p") + (std::isnan(head) ? 0.0 : head);
+  };
+  const bool may_hold_liquid = find_field(step.input().calculator->input->fields, "rho") != nullptr;
   const auto shell = std::ranges::find(own.records, "shell", &Taken::path);
   const std::string of_record = shell == own.records.end() ? "" : split_step(shell->source).first;
   for (const auto& other : project.steps) {
@@ -130,13 +137,16 @@ void compare_liquid(const Step& step, const Project& project, std::vector<Reduce
     if (other.get() == &step || pressure == there.typed.end() || !there.typed.contains("h_l")) continue;
     const bool is_shared = !typed->second.shared.empty() && typed->second.shared == pressure->second.shared;
     if (!is_shared && other->name() != of_record) continue;
-    const double p =
-        own_value(*other, project, "p") + g * own_value(*other, project, "rho") * own_value(*other, project, "h_l");
-    if (!(own_value(step, project, "p") < (1.0 - few_digits) * p)) continue;
-    found.push_back(
-        {"p", say("'{1}' holds a liquid, with {2} at its lowest point: give rho and h_l, the pressure there as "
-                  "p, or because.p = \"above the liquid\"",
-                  other->name(), format_quantity(p, "MPa", 4))});
+    const double p = pressure_at_bottom(*other);
+    if (!(pressure_at_bottom(step) < (1.0 - few_digits) * p)) continue;
+    const std::string at_bottom = format_quantity(p, "MPa", 4);
+    found.push_back({"p", may_hold_liquid
+                              ? say("'{1}' holds a liquid: {2} at its lowest point; give rho and h_l, or that "
+                                    "pressure as p, or because.p = \"above the liquid\"",
+                                    other->name(), at_bottom)
+                              : say("'{1}' holds a liquid: {2} at its lowest point; give that pressure as p, or "
+                                    "because.p = \"above the liquid\"",
+                                    other->name(), at_bottom)});
     return;
   }
 }

@@ -159,13 +159,14 @@ bool add_drawings(const project::Project& project, const std::string& path, std:
   return true;
 }
 
-/// Whether it is a file of that kind, standard output, or a folder: a file of another kind would become a folder.
-bool is_of_kind(const std::string& path, const char* kind, const char* what) {
-  const std::string end = ending(path);
+/// Whether it is a file of that kind, or a folder: what looks like a file of another kind would become a folder.
+bool is_file_or_folder(const std::string& path, const char* kind, const char* what) {
+  constexpr std::array files{".csv", ".svg",  ".dxf",  ".png",  ".jpg", ".gif", ".pdf", ".eps", ".txt",
+                             ".tsv", ".html", ".json", ".toml", ".md",  ".tex", ".dwg", ".xls", ".xlsx"};
+  std::string end = ending(path);
+  std::ranges::transform(end, end.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   std::error_code error;
-  if (end.size() < 2 || end == kind || std::isdigit(static_cast<unsigned char>(end[1])) != 0 ||
-      is_standard_output(path) || fs::is_directory(path, error))
-    return true;
+  if (end == kind || std::ranges::find(files, end) == files.end() || fs::is_directory(path, error)) return true;
   std::cerr << "loadpath: " << what << " as FILE" << kind << " or into a folder, not as '" << path
             << "'\n  = help: name a file that ends in " << kind << ", or a folder\n";
   return false;
@@ -209,9 +210,9 @@ bool can_write(const OutputOptions& options) {
                  "--csv PATH or --json\n";
     return false;
   }
-  if (!is_of_kind(options.svg, ".svg", "figures are written") ||
-      !is_of_kind(options.dxf, ".dxf", "drawings are written") ||
-      !is_of_kind(options.csv, ".csv", "series are written"))
+  if (!is_file_or_folder(options.svg, ".svg", "figures are written") ||
+      !is_file_or_folder(options.dxf, ".dxf", "drawings are written") ||
+      !is_file_or_folder(options.csv, ".csv", "series are written"))
     return false;
   for (const std::string& path : options.reports) {
     const std::string kind = ending(path);
@@ -278,9 +279,7 @@ void sort_reports(const report::Document& document, const std::vector<std::strin
 
 /// "figures: out": what was written there.
 void tell(const char* what, const std::string& path, bool quiet) {
-  std::error_code error;
-  if (!quiet && !path.empty() && !is_standard_output(path) && fs::exists(path, error))
-    std::cerr << what << ": " << path << "\n";
+  if (!quiet && !path.empty() && !is_standard_output(path)) std::cerr << what << ": " << path << "\n";
 }
 
 void tell_reports(const std::vector<std::string>& paths, bool quiet) {
@@ -332,13 +331,18 @@ bool write(const project::Project& project, const OutputOptions& options, const 
   report::Document document;
   if (!options.reports.empty()) document = document_of(project, options, input);
   sort_reports(document, options.reports, files, prints);
+  const std::size_t reports = files.size();
   if (!options.csv.empty() && !add_series(project, options, files)) return false;
-  if (!add_figures(project, options.svg, files) || !add_drawings(project, options.dxf, files)) return false;
+  const std::size_t series = files.size();
+  if (!add_figures(project, options.svg, files)) return false;
+  const std::size_t figures = files.size();
+  if (!add_drawings(project, options.dxf, files)) return false;
+  const std::size_t drawings = files.size();
   if (!put(files, prints, document, project)) return false;
   tell_reports(options.reports, options.quiet);
-  tell("series", options.csv, options.quiet);
-  tell("figures", options.svg, options.quiet);
-  tell("drawings", options.dxf, options.quiet);
+  if (series > reports) tell("series", options.csv, options.quiet);
+  if (figures > series) tell("figures", options.svg, options.quiet);
+  if (drawings > figures) tell("drawings", options.dxf, options.quiet);
   return true;
 }
 

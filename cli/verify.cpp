@@ -38,7 +38,7 @@ void show(const report::VerifiedFile& file, bool in_full) {
     if (all.empty()) return;
   }
   std::cout << project.file << (project.title.empty() ? "" : ": " + project.title) << "\n";
-  std::vector<std::vector<std::string>> rows{{"  ", "quantity", "published", "ours", "deviation", "source"}};
+  std::vector<std::vector<std::string>> rows{{"  ", "quantity", "published", "computed", "deviation", "source"}};
   for (const project::Comparison& c : all) {
     rows.push_back({c.holds ? "  ok" : "  MISS", c.expectation->text, c.expectation->is_text, report::computed_text(c),
                     report::deviation_text(c), report::source_text(c)});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 namespace loadpath::report {
@@ -29,11 +30,11 @@ std::string key_of(const std::string& source) {
   return last == std::string::npos ? source : source.substr(first, last + 1 - first);
 }
 
-/// "keys" of "keys.toml".
+/// "keys" of "keys.toml", "press" of "press/project.toml".
 std::string anchor_of(const std::string& file) {
-  const std::size_t folder = file.rfind('/');
-  const std::size_t from = folder == std::string::npos ? 0 : folder + 1;
-  return file.substr(from, file.rfind('.') - from);
+  const std::filesystem::path path(file);
+  const bool is_of_folder = path.stem() == "project" && path.has_parent_path();
+  return (is_of_folder ? path.parent_path().filename() : path.stem()).string();
 }
 
 std::string title_of(const VerifiedFile& file) {
@@ -43,10 +44,13 @@ std::string title_of(const VerifiedFile& file) {
 /// The largest deviation as a part of a published value; empty if all are differences in a unit.
 Cell largest_deviation(const std::vector<Comparison>& values) {
   double largest = -1.0;
+  bool is_known = false;
   for (const Comparison& value : values) {
+    is_known = is_known || !std::isnan(value.deviation);
     if (!is_absolute(value) && !std::isnan(value.deviation)) largest = std::max(largest, std::abs(value.deviation));
   }
-  if (largest < 0.0) return say("in units");
+  if (!is_known) return say("no result");
+  if (largest < 0.0) return say("see below");
   return largest <= rounding ? format_quantity(0.0, "%", most_digits) : format_quantity(largest, "%", most_digits);
 }
 
@@ -83,8 +87,8 @@ Paragraph introduction(std::span<const VerifiedFile> files) {
       sources.insert(key_of(value.expectation->source));
     }
   }
-  return {say("Published values: {1}; sources: {2}. Computed by this version, {3} hold, {4} miss. A value holds if it "
-              "differs from "
+  return {say("{1} published values from {2} sources: this version reproduces {3} and misses {4}. A value is "
+              "reproduced if it differs from "
               "the published one by at most half a unit of its last printed digit, or by the tolerance that its case "
               "states with the reason.",
               std::to_string(values), std::to_string(sources.size()), std::to_string(values - misses),

@@ -71,8 +71,8 @@ bool is_open(const SectionShape& s) {
   return is_flanged(s) || s.kind == "channel" || s.kind == "tee" || s.kind == "angle";
 }
 
-/// The least second moment of two rectangular legs.
-double least_of_legs(const SectionShape& s) {
+/// The minimum second moment of two rectangular legs.
+double minimum_of_legs(const SectionShape& s) {
   const double t = std::isnan(s.t_w) ? s.t_f : s.t_w, foot = s.b - t;
   const double A = s.h * t + foot * t, z = (0.5 * s.h * s.h * t + 0.5 * t * foot * t) / A;
   const double y = (0.5 * t * s.h * t + (t + 0.5 * foot) * foot * t) / A;
@@ -83,8 +83,8 @@ double least_of_legs(const SectionShape& s) {
   return 0.5 * (I_y + I_z) - std::hypot(0.5 * (I_y - I_z), I_yz);
 }
 
-/// Torsion and warping constants, plastic moduli and the least moment, from above. By Cauchy and Schwarz the first
-/// moment of the area about an axis is at most the root of A I.
+/// Upper bounds of torsion and warping constants, plastic moduli and the minimum moment. By Cauchy and Schwarz the
+/// first moment of the area about an axis is at most the root of A I.
 std::optional<Misfit> misfit_of_constants(const SectionShape& s) {
   constexpr double off_centre = 1.15;  // of the axis that halves the area; fillets
   constexpr double most_twist = 1.5;   // over the strips of an open section, all as thick as its thickest wall
@@ -93,14 +93,14 @@ std::optional<Misfit> misfit_of_constants(const SectionShape& s) {
   const double warped = is_flanged(s)         ? 0.25 * s.I_z * lever * lever
                         : s.kind == "channel" ? 0.25 * s.I_z * s.h * s.h
                                               : SectionShape::unknown;
-  const double legs = s.kind == "angle" ? least_of_legs(s) : SectionShape::unknown;
+  const double legs = s.kind == "angle" ? minimum_of_legs(s) : SectionShape::unknown;
   const std::array bounds{
       Most{"W_pl_y", "mm^3", s.W_pl_y, off_centre * std::sqrt(s.A * s.I_y), "1.15 times the root of A I_y"},
       Most{"W_pl_z", "mm^3", s.W_pl_z, off_centre * std::sqrt(s.A * s.I_z), "1.15 times the root of A I_z"},
       Most{"I_t", "mm^4", s.I_t, s.I_y + s.I_z, "the polar second moment I_y + I_z"},
-      Most{"I_t", "mm^4", s.I_t, strips, "that of the strips of its walls"},
-      Most{"I_w", "mm^6", s.I_w, off_centre * warped, "that of its flanges bent sideways"},
-      Most{"I_min", "mm^4", s.I_min, off_centre * legs, "the least second moment of its legs"}};
+      Most{"I_t", "mm^4", s.I_t, strips, "1.5 times that of its walls as strips"},
+      Most{"I_w", "mm^6", s.I_w, off_centre * warped, "1.15 times that of its flanges bent sideways"},
+      Most{"I_min", "mm^4", s.I_min, off_centre * legs, "1.15 times the minimum second moment of its legs"}};
   for (const Most& bound : bounds) {
     if (bound.value > rounding * bound.most) return misfit(bound);
   }

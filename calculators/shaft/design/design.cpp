@@ -31,6 +31,12 @@ double slope_over(double beta, const Element& element) {
 constexpr double p_L = 10.0 / 3.0;
 using OfBearings = List<double, most_supports>;
 
+/// Where the shaft twists most; unset if it does not.
+SecondMoment polar_moment(const Input& in, const Loaded& loaded) {
+  if (!(loaded.flexible > 0.0)) return unset<SecondMoment>;
+  return from_si<SecondMoment>(1.0 / (in_si(in.G) * loaded.flexible));
+}
+
 /// Bearing loads, and the places of the largest displacement, over all positions so far.
 class Movement {
  public:

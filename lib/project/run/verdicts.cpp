@@ -15,17 +15,18 @@ Message at_place(const Extreme& extreme, const Axis& axis) {
   return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name());
 }
 
-/// Without the margin for rounding: "-1e-9" is 0.
-double without_margin(double bound) {
+/// The bound of a ratio without the margin for rounding: "-1e-9" is 0.
+double without_margin(const FieldInfo& field, double bound) {
   constexpr double margin = 1e-8;
+  if (!field.dimension.is_number()) return bound;
   const double whole = std::round(bound);
   return std::abs(bound - whole) <= margin ? whole + 0.0 : bound;
 }
 
 /// "covered from 0.2 to 3", "passes up to 9": the requirement of a limit on its value.
 Message bounds_of(const FieldInfo& field) {
-  const std::string low = format_quantity(without_margin(field.bounds.low), field.unit);
-  const std::string high = format_quantity(without_margin(field.bounds.high), field.unit);
+  const std::string low = format_quantity(without_margin(field, field.bounds.low), field.unit);
+  const std::string high = format_quantity(without_margin(field, field.bounds.high), field.unit);
   const Message verb = field.is_criterion ? say("passes") : say("covered");
   if (std::isinf(field.bounds.high)) return say("{1} from {2}", verb, low);
   if (std::isinf(field.bounds.low)) return say("{1} up to {2}", verb, high);

@@ -33,7 +33,7 @@ std::optional<Mode> governing_of(const Modes& modes, const std::string& step) {
     if (mode.step != step || !is_told(mode) || !is_assessed) continue;
     if (best == nullptr || is_worse(mode, *best)) best = &mode;
   }
-  if (best != nullptr && best->utilisation) return *best;
+  if (best != nullptr && (best->utilisation || best->state == State::fail)) return *best;
   const auto limit =
       std::ranges::find_if(modes, [&](const Mode& m) { return m.step == step && m.is_limit && m.utilisation; });
   if (limit != modes.end()) return *limit;

@@ -193,7 +193,7 @@ R_e_2 = "300 MPa"
       Field{&Result::x_s, "x_s", ratio, "d_2/d_1 (ISO 14 and DIN 5480: up to 1.5; limit set by loadpath)"}.limit(0,
                                                                                                                  1.5),
       rim_of_gear<Result>(),
-      wall_of_hub<Result>("tooth height / wall of the hub under the root circle, own bound"),
+      wall_of_hub<Result>("tooth depth / wall of the hub under the root circle, own bound"),
       Group{&Result::notch, "notch", "spline end, for a notch of shaft.design: part"}.handed_over(),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
@@ -231,7 +231,7 @@ R_e_2 = "300 MPa"
           .judged_by("u_W")
           .in_service(),
       Mode<Input>{"wear", "flank wear of a sliding hub", &slides}.judged_by("u_w"),
-      Mode<Input>{"form", "spline tooth height", &torque_loads<Input>}.judged_by("x_s").of_shape(),
+      Mode<Input>{"form", "spline tooth depth", &torque_loads<Input>}.judged_by("x_s").of_shape(),
       Mode<Input>{"length", "effective spline length", &bears_evenly}.judged_by("x_l").of_shape(),
       Mode<Input>{"fatigue", "shaft fatigue at the spline end", &torque_varies<Input>}
           .left_to("shaft.design", "notch.fatigue")

@@ -33,7 +33,7 @@ void setup_why(CLI::App& app, WhyOptions& options, Action& action) {
   sub->add_option("file", options.file, "project file; - is standard input")->required();
   sub->add_option(
       "of", options.of,
-      "step, or a result or mode of failure of one: rod, rod.u; the step that decides the verdict where missing");
+      "step, or a result or failure mode of one: rod, rod.u; omitted: the step that governs the verdict");
   sub->add_option("--point", options.point, "of point N (from 0) of the project's sweep")->type_name("N");
   add_points(*sub, options.points);
   add_settings(*sub, options.settings);
@@ -44,7 +44,7 @@ void setup_watch(CLI::App& app, WatchOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("watch", "solve a project file on every save, its report in the browser");
   sub->add_option("file", options.file, "project file")->required();
   sub->add_flag("--open", options.open, "open the report in the browser");
-  sub->add_option("--port", options.port, "port on the loopback address; a free one where missing")
+  sub->add_option("--port", options.port, "port on the loopback address; omitted: a free one")
       ->type_name("N")
       ->check(CLI::Range(1, 65535));
   sub->add_flag("--strict", options.strict, "count failure modes not considered as not assessed (exit code 4)");
@@ -79,7 +79,7 @@ void setup_convert(CLI::App& app, ConvertOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("convert", "convert a quantity or evaluate an expression starting with =");
   sub->add_option("quantity", options.quantity, "for example \"2700 lbf*in\", \"2,5 kN·m\", \"=30 kW / (1500 rpm)\"")
       ->required();
-  sub->add_option("unit", options.unit, "target unit; a readable one where missing");
+  sub->add_option("unit", options.unit, "target unit; omitted: a readable one");
   sub->footer(R"(Numbers: 30  1e6  2·10^6  1 200  1'200  2,5 (decimal comma)  1/2 in  1-1/2 in
 Units:   SI with prefixes, N·m N*m Nm, mm² mm^2, min⁻¹ 1/min, parentheses after a /; deg rad rev rpm rev/s min h d
          bar atm psi ksi in ft mil lbf lb kip hp PS kgf t % °C K, and Н·м кН МПа мм кВт об/мин
@@ -90,7 +90,7 @@ What can be read in two ways is refused: 1,250 mm; N/m*s.)");
 void setup_verify(CLI::App& app, VerifyOptions& options, Action& action) {
   CLI::App* sub =
       app.add_subcommand("verify", "published reference cases: published and computed value, deviation, source");
-  sub->add_option("file", options.files, "project files with [[expect]] entries; the built-in manual where missing");
+  sub->add_option("file", options.files, "project files with [[expect]] entries; omitted: the built-in cases");
   sub->add_flag("--full", options.full, "print every value of the built-in cases, not only the misses and the counts");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->add_option("--report", options.reports,

@@ -28,7 +28,7 @@ std::string step_to_add(const project::Project& project, const Mode& mode) {
   const std::string key = mode.takes.substr(0, mode.takes.find(' '));
   for (const auto& step : project.steps) {
     if (step->input().calculator->id != id || step->name() == mode.step) continue;
-    if (mode.takes.empty()) return say("assess it in step '{1}' of {2}", step->name(), id).text();
+    if (mode.takes.empty()) return say("assess it in step '{1}' ({2})", step->name(), id).text();
     const std::string taken = taken_by(*step, key);
     if (taken.empty()) return say("let {1} take {2}", step->name(), mode.takes).text();
     if (mode.takes.find("\"=" + taken + "\"") != std::string::npos) return say("see {1}", step->name()).text();

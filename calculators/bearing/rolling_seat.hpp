@@ -73,6 +73,14 @@ constexpr Applies sits_on_a_shaft(const Input& in) {
   return is_set(in.d) ? Applies::yes : Applies::unseen;
 }
 
+/// Whether the ring meets the nearer end of its segment: a shoulder much further away carries a sleeve in between.
+template <class Input>
+bool abuts(const Input& in) {
+  constexpr double least = 0.6;  // of the room, with clearance beside the ring
+  const bool is_known = is_set(in.B) && is_set(in.l_s) && in.l_s > 0.0 * mm && has_rings_of_its_width(in.kind);
+  return !is_known || in.B > least * in.l_s;
+}
+
 template <class Input, class Result, class Tracer>
 void seat(const Input& in, Result& r, Tracer& trace) {
   if (sits_on_a_shaft(in) != Applies::yes) return;
@@ -80,6 +88,7 @@ void seat(const Input& in, Result& r, Tracer& trace) {
   if (is_set(in.B) && is_set(in.l_s) && in.l_s > 0.0 * mm && has_rings_of_its_width(in.kind)) {
     STEP_TO(r, x_B, in.B / in.l_s, "the ring sits on one segment over its full width");
   }
+  if (!abuts(in)) return;
   if (is_set(in.r_s) && is_set(in.r_f)) {
     STEP_TO(r, x_r, in.r_f / in.r_s, "the ring abuts on the shoulder, not on the fillet");
   }

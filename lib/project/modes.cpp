@@ -342,6 +342,7 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
   if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
   if (mode.state == State::not_judged && is_doubtful(step, info, needs)) {
     mode.wants.clear();
+    mode.use.clear(), mode.add.clear();  // another step does not answer for the value
     mode.note = step.loads().reduced.front().message;
   }
 }

@@ -17,11 +17,29 @@ namespace {
 using fatigue::Endurance;
 using Input = DesignInput;
 
+/// The shape factor of a shoulder in torsion, [DIN743] part 2, down to r = 0.03 t: for steps that are higher for their
+/// fillet than Peterson's fit.
+struct Beyond {
+  double K, place;
+};
+/// The fillet at the end of the fit.
+Length highest_fillet(Length h) { return h / fatigue::shoulder_in_torsion.back().high; }
+Beyond high_shoulder_in_torsion(Length d, Length D, Length h, Length r_n) {
+  constexpr double least = 0.03;  // r/t, [DIN743] part 2
+  fatigue::Din743Section section;
+  section.notch = fatigue::Notch::shoulder, section.d = d, section.D = D, section.r = r_n;
+  NoTrace quiet;
+  const double lowest = fatigue::shoulder_in_torsion.front().low;
+  return {fatigue::shape_factor(section, fatigue::Stressing::torsion, h, quiet),
+          std::log(h / r_n / lowest) / std::log(1.0 / least / lowest)};
+}
+
 /// The notch as Peterson has it, and the range that he has it for.
 template <class Tracer>
 void concentrate(const Notched& notch, const Sides& sides, Length r_n, const Section& p, bool twisted, Safety& s,
                  Tracer& trace) {
   const bool shoulder = notch.kind == Notch::shoulder, fits = shoulder || notch.kind == Notch::groove;
+  bool is_high = false;  // beyond Peterson's fit in torsion
   if (fits) {
     const Length D = shoulder ? sides.larger() : p.d + 2.0 * notch.t;
     const Length h = (D - p.d) / 2.0;
@@ -30,8 +48,15 @@ void concentrate(const Notched& notch, const Sides& sides, Length r_n, const Sec
     const auto in_torsion = shoulder ? fatigue::concentration(fatigue::shoulder_in_torsion, h, r_n, D)
                                      : fatigue::concentration(fatigue::groove_in_torsion, h, r_n, D);
     s.K_t = in_bending.K, s.K_ts = in_torsion.K;
+    is_high = shoulder && in_torsion.place > 1.0;
+    const Beyond beyond = is_high ? high_shoulder_in_torsion(p.d, D, h, r_n) : Beyond{in_torsion.K, in_torsion.place};
+    if (is_high)
+      s.K_ts = std::max(beyond.K, fatigue::concentration(fatigue::shoulder_in_torsion, h, highest_fillet(h), D).K);
     s.x_b = trace.value("x_b", in_bending.place, "position within the fit, [Peterson]");
-    if (twisted) s.x_t = trace.value("x_t", in_torsion.place, "position within the fit, [Peterson]");
+    if (twisted)
+      s.x_t = trace.value(
+          "x_t", beyond.place,
+          is_high ? "position between h/r of 0.25 and 1/0.03, [DIN743] part 2" : "position within the fit, [Peterson]");
   } else if (is_keyed(notch.kind)) {
     const double k_2 = notch.kind == Notch::two_keyways ? 1.15 : 1.0;
     s.K_t = k_2 * 2.14, s.K_ts = k_2 * 3.0;
@@ -44,7 +69,7 @@ void concentrate(const Notched& notch, const Sides& sides, Length r_n, const Sec
                                  ? "1.15 of one keyway, as [DIN743] has it; one by [Shigley7] table 7-1"
                                  : "as given";
   trace.value("K_t", s.K_t, source);
-  trace.value("K_ts", s.K_ts, source);
+  trace.value("K_ts", s.K_ts, is_high ? "of the net section, beyond [Peterson]: [DIN743] part 2" : source);
 }
 
 Endurance::Input endurance_of(const Input& in, Length d, Endurance::Loading loading, double K, Length r_n) {

@@ -183,18 +183,14 @@ struct Safety {
       Field{&Safety::x_DIN, "x_DIN", ratio, "number of validity limits of DIN 743 or FKM exceeded, if they govern"}
           .limit(0, 0.5)
           .where_it_applies(),
-      Field{
-          &Safety::x_b, "x_b", ratio,
-          "position of h/r, the notch height over the radius, in the range of Peterson's K_t fit in bending (shoulder "
-          "0.1 to 20, "
-          "groove 0.25 to 50): 0 at its minimum, 1 at its maximum; above 1 r is too small"}
+      Field{&Safety::x_b, "x_b", ratio,
+            "position of h/r, step height over fillet radius, in the range of K_t: 0 at 0.1 (groove 0.25), 1 at 20 "
+            "(groove 50)"}
           .limit(-1e-9, 1 + 1e-9)
           .where_it_applies(),
-      Field{
-          &Safety::x_t, "x_t", ratio,
-          "position of h/r, the notch height over the radius, in the range of Peterson's K_ts fit in torsion (shoulder "
-          "0.25 to 4, "
-          "groove 0.25 to 50): 0 at its minimum, 1 at its maximum; above 1 r is too small"}
+      Field{&Safety::x_t, "x_t", ratio,
+            "position of h/r, step height over fillet radius, in the range of K_ts: 0 at 0.25, 1 at 33 (shoulder) or "
+            "50 (groove)"}
           .limit(-1e-9, 1 + 1e-9)
           .where_it_applies(),
       Field{&Safety::x_d, "x_d", ratio,

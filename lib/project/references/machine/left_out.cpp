@@ -4,6 +4,8 @@
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/kinds.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -13,6 +15,16 @@ namespace {
 
 constexpr double implausible_ratio =
     10.0;  // times the load of the step: beyond, it is another quantity of the same dimension
+
+/// Whether a value of [values] is named as such a load of a start, a jam or a test: "T_start", "F_max" of T and F;
+/// other names may be notes.
+bool is_named_as_peak(const std::string& name, const std::string& symbol) {
+  constexpr std::array ends{"start", "starting", "max",   "peak", "jam", "stall",
+                            "brake", "braking",  "shock", "test", "t"};
+  const std::size_t end = name.rfind('_');
+  if (end == std::string::npos) return name == symbol;
+  return name[0] == symbol[0] && std::ranges::find(ends, name.substr(end + 1)) != ends.end();
+}
 
 /// A stress is no load that another one of [values] could be meant for: that may be a strength.
 bool is_comparable(const FieldInfo& field) {
@@ -29,11 +41,13 @@ struct LargestLoad {
   const char* unit = "";
 };
 
-/// Only under a symbol of the same letter: "T_start" may be meant for T, "F_crane" is not a force P.
-LargestLoad largest_load(const Step& step, const Project& project, char letter, const Dimension& dimension) {
+LargestLoad largest_load(const Step& step, const Project& project, const std::string& name,
+                         const Dimension& dimension) {
   LargestLoad largest;
   for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-    if (!is_comparable(*leaf.field) || leaf.field->key[0] != letter || !(leaf.field->dimension == dimension)) return;
+    if (!is_comparable(*leaf.field) || !is_named_as_peak(name, leaf.field->key) ||
+        !(leaf.field->dimension == dimension))
+      return;
     const double si = std::abs(own_value(step, project, path));
     if (si > largest.si) largest = {path, si, leaf.field->unit};
   });
@@ -62,8 +76,9 @@ std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project
   for (const auto& [name, value] : project.values.unused()) {
     const double si = std::abs(value.si.front());
     if (value.signature.dimension.is_number()) compare_factor(step, project, name, si, found);
-    const LargestLoad own = largest_load(step, project, name[0], value.signature.dimension);
+    const LargestLoad own = largest_load(step, project, name, value.signature.dimension);
     if (project.values.kind(name) == Meant::work) continue;
+    if (std::abs(own_value(step, project, name)) >= si) continue;  // it has the value under its own name
     if (own.path.empty() || !(si > own.si) || si > implausible_ratio * own.si) continue;
     const std::string key = own.path.substr(0, own.path.find_first_of(".["));
     found.push_back(

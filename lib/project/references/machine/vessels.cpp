@@ -109,7 +109,8 @@ bool is_assessed_from_outside(const Step& wall, const Project& project) {
 void compare_end_in_vacuum(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   const auto& records = step.input().reading.records;
   const auto shell = std::ranges::find(records, "shell", &Taken::path);
-  if (shell == records.end() || is_assessed_from_outside(step, project)) return;
+  if (shell == records.end() || is_assessed_from_outside(step, project) || step.input().accepted.contains("vacuum"))
+    return;
   const Step* const wall = project.find(split_step(shell->source).first);
   if (wall == nullptr || !is_assessed_from_outside(*wall, project)) return;
   found.push_back({"p", say("'{1}' is assessed under external pressure, and this end is not: add a step of "

@@ -70,9 +70,11 @@ TEST_SUITE("found expressions") {
     CHECK(said("pi/16*values.d^3*30 MPa").empty());
     CHECK(contains(refused(values, fan + "omega = \"=2*pi*values.n\"\n"), "leave out 2*pi"));
     CHECK(contains(refused(values, fan + "omega = \"=values.n*pi/(30)\"\n"), "leave out 2*pi"));
-    CHECK(
-        contains(refused(values, fan + "omega = \"=30/pi*values.n\"\n"), "but this expression is a frequency"));
+    CHECK(contains(refused(values, fan + "omega = \"=30/pi*values.n\"\n"), "but this expression is a frequency"));
     CHECK(refused(values, fan + "omega = \"=2*pi*values.f\"\n").empty());
+    CHECK(refused(values, fan + "omega = \"=10*pi*1 rad/s\"\n").empty());
+    CHECK(refused(values, fan + "omega = \"=pi/2*25 rpm\"\n").empty());
+    CHECK(said("0.8 kg*m^2*3000 rpm*2*pi*0.5 Hz").empty());
     const std::string slide = "[b]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"=";
     CHECK(contains(refused(values, slide + "values.n*values.d\"\n"), "write d/2"));
     CHECK(contains(refused(values, slide + "pi*values.d*values.n\"\n"), "write d/2 in place of pi*d"));

@@ -23,6 +23,8 @@ TEST_SUITE("found loads left out") {
     CHECK(state(shaft_beside("T_start = \"-900 N*m\"")) == "not-judged");
     CHECK(state(shaft_beside("T_start = \"900 N*m\"", "because.T = \"a clutch limits it\"")) == "pass");
     CHECK(state(shaft_beside("T_idle = \"90 N*m\"")) == "pass");
+    CHECK(state(shaft_beside("T_of_the_screws = \"900 N*m\"")) == "pass");
+    CHECK(state(shaft_beside("T_start = \"1.2 kJ\"")) == "pass");
     CHECK(state(shaft_beside("F_start = \"900 N\"")) == "pass");
     CHECK(state(shaft_beside("T_of_another_machine = \"90 kN*m\"")) == "pass");
   }
@@ -30,6 +32,7 @@ TEST_SUITE("found loads left out") {
   TEST_CASE("a factor of [values] that no step has by its name") {
     const auto state = [](const std::string& text) { return mode_of(solved_as_found(text), "shaft", "yield"); };
     CHECK(state(shaft_beside("K_A = 1.4")) == "not-judged");
+    CHECK(state(shaft_beside("K_A = 1.4", "K_A = 1.5\n")) == "pass");
     CHECK(state(shaft_beside("K_A = 1.4", "K_A = \"=values.K_A\"\n")) == "pass");
     CHECK(state(shaft_beside("K_A = 1.4", "because.K_A = \"T holds it\"\n")) == "pass");
     CHECK(state(shaft_beside("teeth = 17")) == "pass");

@@ -93,6 +93,17 @@ TEST_SUITE("found machines") {
     CHECK(state(column("beta_y = \"=k.beta\"\nbeta_z = \"=k.beta\"\n"), "col", "buckling") == "pass");
   }
 
+  TEST_CASE("the order of the tables in a file does not decide") {
+    const std::string survival =
+        "[s]\ncalculator = \"fatigue.survival\"\nsigma_0 = \"288 MPa\"\nN_0 = 1e6\nT_S = 1.25\n"
+        "k = 5\nP = 0.975\n\n";
+    CHECK(state(life("300 MPa") + "\n" + survival, "life", "fatigue") == "not-judged");
+    CHECK(state(life("200 MPa") + "\n" + survival, "life", "fatigue") == state(life("200 MPa"), "life", "fatigue"));
+    const std::string taken = press("press", "8 kN") + pin("load = \"=press.joints.B\"\n") + "\n";
+    CHECK(state(taken + press("jam", "80 kN"), "pin", "bending") == "not-judged");
+    CHECK(state(taken + press("idle", "0.8 kN"), "pin", "bending") == "pass");
+  }
+
   TEST_CASE("a column whose forces cancel is not assessed") {
     const auto project = solved_as_found(
         "[values]\nF = \"20 kN\"\n\n[rod]\ncalculator = \"column.buckling\"\n"

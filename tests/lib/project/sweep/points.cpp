@@ -133,6 +133,30 @@ TEST_SUITE("points of a sweep") {
     CHECK(shaft_modes("30 mm") == std::vector<double>(2, static_cast<double>(account::State::not_judged)));
   }
 
+  TEST_CASE("what the project states beside a step is compared at every point, whichever comes first") {
+    const std::string left_out = "[values]\nT_start = \"150 N*m\"\n\n" + shaft + "d = \"60 mm\"\nT = ";
+    const std::string limit =
+        "[s]\ncalculator = \"fatigue.survival\"\nsigma_0 = \"288 MPa\"\nN_0 = 1e6\nT_S = 1.25\nk = 5\n"
+        "P = 0.975\n\n[shaft]\ncalculator = \"fatigue.life\"\nsigma_max = \"100 MPa\"\nsigma_min = "
+        "\"-100 MPa\"\nR_m = \"690 MPa\"\nR_e = \"490 MPa\"\ngroup = \"carbon-steel\"\nS_D = 1.5\nS_F = "
+        "1.5\nsigma_D = ";
+    for (const std::string& text :
+         {left_out + "[\"160 N*m\", \"100 N*m\"]\n", left_out + "[\"100 N*m\", \"160 N*m\"]\n",
+          limit + "[\"200 MPa\", \"300 MPa\"]\n", limit + "[\"300 MPa\", \"200 MPa\"]\n"}) {
+      CAPTURE(text);
+      const Swept swept(text, {"shaft.passes"});
+      REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+      for (std::size_t i = 0; i < 2; ++i) {
+        std::vector<Issue> issues;
+        project::Project alone = swept.read(issues);
+        project::set_point(alone, swept.plan, i, issues);
+        project::solve(alone, issues);
+        CHECK(number_of(account::overall(project::modes(alone))) == swept.column("state")[i]);
+      }
+      CHECK(swept.column("state")[0] != swept.column("state")[1]);
+    }
+  }
+
   TEST_CASE("what is wrong with a range is told") {
     const auto fault = [](const std::string& T, const std::string& more = "") {
       return Swept(shaft + "d = \"40 mm\"\nT = " + T + "\n" + more, {}).errors();

@@ -54,6 +54,30 @@ std::string errors(const std::string& notch, const std::string& more = "") {
 }  // namespace
 
 TEST_SUITE("shaft design notches") {
+  TEST_CASE("a step that is high for its fillet has the shape factor of DIN 743 in torsion, beyond Peterson's fit") {
+    const auto shouldered = [](const std::string& r) {
+      const std::string bar = barred("kind = \"shoulder\", r = \"" + r + "\"");
+      const std::string one = "[{ l = \"200 mm\", d = \"40 mm\" }]";
+      const std::size_t at = bar.find(one);
+      REQUIRE(at != std::string::npos);
+      return bar.substr(0, at) + "[{ l = \"60 mm\", d = \"45 mm\" }, { l = \"140 mm\", d = \"60 mm\" }]" +
+             bar.substr(at + one.size());
+    };
+    // By hand: t = 7.5 mm; 3.4 r/t + 38 r/d (1 + 2 r/d)^2 + (r/t)^2 d/D = 1.38784, 1 + 1/1.17807 = 1.84885.
+    const Solved sharp(shouldered("1 mm"));
+    CHECK(sharp.value("bar.safeties.n.K_ts") == Approx(1.84885).epsilon(1e-4));
+    CHECK(test::mode_of(sharp.project, "bar", "fatigue") != "not-covered");
+    double before = 10.0;  // no leap where the fit ends, h/r = 4, and never less for a sharper fillet
+    for (const char* const r : {"0.4 mm", "1 mm", "1.4 mm", "1.8 mm", "1.87 mm", "1.88 mm", "2 mm", "3 mm", "6 mm"}) {
+      const double K_ts = Solved(shouldered(r)).value("bar.safeties.n.K_ts");
+      CHECK(K_ts <= before * (1.0 + 1e-12));
+      before = K_ts;
+    }
+    CHECK(Solved(shouldered("1.87 mm")).value("bar.safeties.n.K_ts") ==
+          Approx(Solved(shouldered("1.88 mm")).value("bar.safeties.n.K_ts")).epsilon(0.01));
+    CHECK(test::mode_of(Solved(shouldered("0.2 mm")).project, "bar", "fatigue") == "not-covered");
+  }
+
   TEST_CASE("notch factors are those of DIN 743, by hand and as fatigue.din743 has them, for every school") {
     for (const Told& kind : kinds) {
       CAPTURE(kind.notch);

@@ -76,7 +76,7 @@ constexpr Applies sits_on_a_shaft(const Input& in) {
 /// Whether the ring meets the nearer end of its segment: a shoulder much further away carries a sleeve in between.
 template <class Input>
 bool abuts(const Input& in) {
-  constexpr double least = 0.6;  // of the room, with clearance beside the ring
+  constexpr double least = 0.4;  // of the room; positions of bearings are often rounded
   const bool is_known = is_set(in.B) && is_set(in.l_s) && in.l_s > 0.0 * mm && has_rings_of_its_width(in.kind);
   return !is_known || in.B > least * in.l_s;
 }

@@ -75,7 +75,7 @@ class Product {
     const bool is_bare = std::abs(f.number) == 1.0;
     if (f.speeds == 1 && f.pi == 0 && f.diameters == 1 && dimension == speed && is_bare)
       return fault(say("an angular velocity times a diameter is twice the circumferential speed"),
-                   say("write d/2; give a distance that is no diameter another name than d"));
+                   say("write d/2; if d is a distance, give it another name"));
     const bool is_of_circle = (f.pi == 1 && f.diameters == 2) || (f.pi == -1 && f.diameters == -2);
     if (is_of_circle && is_bare && (dimension == force || dimension == stress))
       return fault(say("pi*d^2 is four times the area of a circle"), say("write pi*d^2/4"));

@@ -15,12 +15,12 @@ Message at_place(const Extreme& extreme, const Axis& axis) {
   return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name());
 }
 
-/// The bound of a ratio without the margin for rounding: "-1e-9" is 0.
+/// The bound without the margin for rounding: "-1e-9" is 0, in the unit of the field.
 double without_margin(const FieldInfo& field, double bound) {
-  constexpr double margin = 1e-8;
-  if (!field.dimension.is_number()) return bound;
-  const double whole = std::round(bound);
-  return std::abs(bound - whole) <= margin ? whole + 0.0 : bound;
+  constexpr double margin = 1e-5;
+  const double shown = in_unit(bound, field.unit), whole = std::round(shown);
+  if (!std::isfinite(shown) || std::abs(shown - whole) > margin) return bound;
+  return whole == 0.0 ? 0.0 : bound * (whole / shown);
 }
 
 /// "covered from 0.2 to 3", "passes up to 9": the requirement of a limit on its value.

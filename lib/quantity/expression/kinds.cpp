@@ -22,6 +22,14 @@ bool holds_pi(const Node& node) {
   return is_pi || std::any_of(node.kids.begin(), node.kids.end(), holds_pi);
 }
 
+/// Of a product: "30/pi" has -1.
+int power_of_pi(const Node& node) {
+  if (node.operation == Operation::literal) return node.si == std::numbers::pi && node.dimension.is_number() ? 1 : 0;
+  if (node.operation == Operation::negate) return power_of_pi(node.kids[0]);
+  const int sign = node.operation == Operation::multiply ? 1 : node.operation == Operation::divide ? -1 : 0;
+  return sign == 0 ? 0 : power_of_pi(node.kids[0]) + sign * power_of_pi(node.kids[1]);
+}
+
 bool is_shear(Meant kind) { return kind == Meant::shear_stress; }
 bool is_in_one_direction(Meant kind) {
   return kind == Meant::normal_stress || kind == Meant::equivalent_stress || kind == Meant::uniaxial_stress;
@@ -138,7 +146,7 @@ class KindWalk {
 
   Meant quotient(const Node& node) {
     const Meant a = of_node(node.kids[0]), b = of_node(node.kids[1]);
-    if (is_number(node.kids[1])) return multiple(a, node.kids[1]);
+    if (is_number(node.kids[1])) return multiple(a, node.kids[1], -1);
     const bool of_turns = holds_pi(node.kids[1]);
     if (is(node.kids[0], of_speed) && is(node.kids[1], Dimension::of(1, 0, 0)))
       return of_turns ? Meant::frequency : Meant::rate;
@@ -150,10 +158,10 @@ class KindWalk {
   }
 
   /// A multiple keeps its kind; but 2*pi*f is radians per time, and an energy over 2*pi a moment.
-  static Meant multiple(Meant kind, const Node& by) {
+  static Meant multiple(Meant kind, const Node& by, int sign = 1) {
     if (!holds_pi(by)) return kind;
+    if (kind == Meant::angular_speed) return sign * power_of_pi(by) < 0 ? Meant::frequency : kind;
     if (kind == Meant::frequency) return Meant::rate;
-    if (kind == Meant::angular_speed) return Meant::frequency;  // over 2*pi; times it is refused as a whole
     return kind == Meant::rate                            ? Meant::frequency
            : kind == Meant::work || kind == Meant::torque ? Meant::nothing
                                                           : kind;

@@ -87,7 +87,9 @@ void compare_vacuum(const Step& step, const Project& project, std::vector<Reduce
   const auto& fields = step.input().calculator->input->fields;
   if (find_field(fields, "wall") == nullptr || find_field(fields, "p_e") == nullptr) return;
   if (!step.input().reading.typed.contains("delta") || takes_record(step, "wall")) return;
-  if (!steps_named_in(step.input().reading).empty()) return;  // of a wall without a record, by its sizes
+  const auto named = steps_named_in(step.input().reading);
+  const auto has_record = [&](const std::string& name) { return hands_over(*project.find(name), "wall"); };
+  if (!named.empty() && std::ranges::none_of(named, has_record)) return;  // of a wall without a record, by its sizes
   const Step* const wall = step_with(project, "wall");
   if (wall == nullptr) return;
   found.push_back({"delta", say("this step does not refer to '{1}', whose diameter, thickness and allowance it has: "

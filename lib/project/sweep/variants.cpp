@@ -173,11 +173,11 @@ bool may_vary(const Project& project, const std::string& path, const std::set<st
   return is_known && (reading.record.data == nullptr || !find_leaf(reading.record, rest));
 }
 
-/// Whether the step is compared with others by numbers that vary.
+/// Whether the step is compared by numbers that vary: with what the project states beside it.
 bool compares_with_others(const Step& step, const Project& project, const std::set<std::string>& affected) {
   if (compares_numbers(step, project)) return true;
   const NotedReads reads;
-  contradictions(step, project);
+  stated_and_not_taken(step, project);
   return std::ranges::any_of(reads.paths(), [&](const auto& path) { return may_vary(project, path, affected); });
 }
 

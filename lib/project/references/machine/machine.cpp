@@ -16,14 +16,21 @@
 
 namespace loadpath::project {
 
+std::vector<ReducedLoad> stated_and_not_taken(const Step& step, const Project& project) {
+  std::vector<ReducedLoad> all;
+  for (const auto& found : {loads_left_out(step, project), loads_of_mechanism(step, project),
+                            repetitions_of_others(step, project), values_of_idle_steps(step, project)})
+    all.insert(all.end(), found.begin(), found.end());
+  return all;
+}
+
 std::vector<ReducedLoad> contradictions(const Step& step, const Project& project) {
   std::vector<ReducedLoad> all;
   for (const auto& found :
        {values_of_runs(step, project), factors_of_takers(step, project), lives_on_shaft(step, project),
         values_of_ratings(step, project), values_at_middle(step), values_of_same_part(step, project),
         powers_of_chained(step, project), values_of_seats(step, project), values_of_unlinked(step, project),
-        values_of_vessels(step, project), loads_left_out(step, project), loads_of_mechanism(step, project),
-        repetitions_of_others(step, project), values_of_idle_steps(step, project)})
+        values_of_vessels(step, project), stated_and_not_taken(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

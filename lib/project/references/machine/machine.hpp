@@ -5,6 +5,9 @@
 
 namespace loadpath::project {
 
+/// What the project states and no step takes, next to this step: loads, load cases, repetitions, limits.
+std::vector<ReducedLoad> stated_and_not_taken(const Step& step, const Project& project);
+
 /// What the other steps contradict, as far as they are solved.
 std::vector<ReducedLoad> contradictions(const Step& step, const Project& project);
 

@@ -60,22 +60,36 @@ double least_joint_force(const Step& mechanism) {
   return least;
 }
 
+bool has_joint_forces(const Step& step) {
+  const auto& results = step.account().results;
+  return std::ranges::any_of(results, [](const auto& entry) { return entry.path.starts_with("joints."); });
+}
+
+/// The mechanisms that no step takes values of.
+std::vector<const Step*> idle_mechanisms(const Project& project) {
+  std::vector<const Step*> idle;
+  for (const auto& step : project.steps) {
+    const auto is_of_it = [&](const std::string& path) { return path.starts_with(step->name() + "."); };
+    if (has_joint_forces(*step) && std::ranges::none_of(project.references, is_of_it)) idle.push_back(step.get());
+  }
+  return idle;
+}
+
 /// Another load case of the same joints, with larger forces, that no step takes.
 void compare_load_cases(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto idle = idle_mechanisms(project);
+  if (idle.empty()) return;
   for (const Taken& record : step.input().reading.records) {
-    const std::string name = split_step(record.source).first;
-    const Step* const taken = project.find(name);
-    if (taken == nullptr) continue;
+    const Step* const taken = project.find(split_step(record.source).first);
+    if (taken == nullptr || !has_joint_forces(*taken)) continue;
     const auto forces = joint_forces(*taken);
-    if (forces.empty()) continue;
-    for (const auto& other : project.steps) {
-      const auto is_of_it = [&](const std::string& path) { return path.starts_with(other->name() + "."); };
-      if (other.get() == taken || std::ranges::any_of(project.references, is_of_it)) continue;
+    for (const Step* const other : idle) {
       const auto there = joint_forces(*other);
       const bool is_heavier = std::ranges::equal(forces, there, [](const auto& light, const auto& heavy) {
-        return light.first == heavy.first && heavy.second >= light.second * (1.0 - 1e-6);
+        return light.first.substr(light.first.find('.')) == heavy.first.substr(heavy.first.find('.')) &&
+               heavy.second >= light.second * (1.0 - 1e-6);
       });
-      if (!is_heavier || there == forces) continue;
+      if (other == taken || !is_heavier || there == forces) continue;
       found.push_back(
           {record.path, say("'{1}' has the same joints with larger forces, and no step takes them: assess that "
                             "load case, or {2} = \"...\"",
@@ -87,19 +101,23 @@ void compare_load_cases(const Step& step, const Project& project, std::vector<Re
 
 /// A force typed beside values of a mechanism: "F = 1 kN" with "n = =press.links.rod.omega".
 void compare_typed_forces(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  std::vector<std::string> typed;
+  for (const auto& entry : step.input().reading.typed) {
+    const std::string& path = entry.first;
+    const Leaf leaf = find_leaf(step.input().reading.record, path);
+    const auto& operands = step.input().reading.operands;
+    const bool is_taken = std::ranges::any_of(operands, [&](const Operand& o) { return o.path == path; });
+    const bool is_force = leaf && leaf.field->is_load && leaf.field->dimension == force;
+    if (is_force && !is_taken && path.find_first_of(".[") == std::string::npos) typed.push_back(path);
+  }
+  if (typed.empty()) return;
   for (const std::string& name : steps_named_in(step.input().reading)) {
     const Step* const source = project.find(name);
-    if (source == nullptr || source == &step) continue;
-    const double least = least_joint_force(*source);
+    const double least = source == nullptr || source == &step ? std::nan("") : least_joint_force(*source);
     if (!(least > 0.0)) continue;
-    for (const auto& entry : step.input().reading.typed) {
-      const std::string& path = entry.first;
-      const Leaf leaf = find_leaf(step.input().reading.record, path);
-      const bool is_force = leaf && leaf.field->is_load && leaf.field->dimension == force;
-      const double own = is_force ? std::abs(own_value(step, project, path)) : std::nan("");
-      const auto& operands = step.input().reading.operands;
-      const bool is_taken = std::ranges::any_of(operands, [&](const Operand& o) { return o.path == path; });
-      if (is_taken || path.find_first_of(".[") != std::string::npos || !(own > 0.0 && own < 0.99 * least)) continue;
+    for (const std::string& path : typed) {
+      const double own = std::abs(own_value(step, project, path));
+      if (!(own > 0.0 && own < 0.99 * least)) continue;
       found.push_back(
           {path, say("{1} = {2}, below the force of every joint of '{3}', at least {4}: take it from there, or "
                      "justify it: because.{1} = \"...\"",

@@ -73,7 +73,7 @@ void compare_blocks(const Step& step, const Project& project, std::vector<Reduce
     is_as_shaft = is_as_shaft || std::isnan(n);
     fastest = std::fmax(fastest, std::abs(n));
   });
-  if (is_as_shaft) return;
+  if (is_as_shaft || std::isnan(fastest)) return;
   for (const Taken& record : step.input().reading.records) {
     const std::string shaft = split_step(record.source).first;
     const double n = std::abs(magnitude_at(project, shaft + ".n"));

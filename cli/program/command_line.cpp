@@ -31,9 +31,8 @@ void setup_run(CLI::App& app, RunOptions& options, Action& action) {
 void setup_why(CLI::App& app, WhyOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("why", "governing checks, choices and formulas of a step");
   sub->add_option("file", options.file, "project file; - is standard input")->required();
-  sub->add_option(
-      "of", options.of,
-      "step, or a result or failure mode of one: rod, rod.u; omitted: the step that governs the verdict");
+  sub->add_option("of", options.of,
+                  "step, or a result or failure mode of one: rod, rod.u; omitted: the step that governs the verdict");
   sub->add_option("--point", options.point, "of point N (from 0) of the project's sweep")->type_name("N");
   add_points(*sub, options.points);
   add_settings(*sub, options.settings);

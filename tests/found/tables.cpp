@@ -67,7 +67,8 @@ TEST_SUITE("found tables") {
     CHECK(answer("section", "IPE 210").ends_with("did you mean 'IPE 200' or 'IPE 220'?"));
     CHECK(answer("section", "RHS 100x50x7").ends_with("did you mean 'RHS 100x50x6.3' or 'RHS 100x50x8'?"));
     CHECK(answer("key", "14x10").ends_with("did you mean '14x9' or '16x10'?"));
-    CHECK(answer("material", "S999").ends_with("no material 'S999' in the tables | `loadpath tables materials` lists them"));
+    CHECK(answer("material", "S999")
+              .ends_with("no material 'S999' in the tables | `loadpath tables materials` lists them"));
     CHECK(answer("material", "S35").ends_with("did you mean 'S235'?"));
     CHECK(answer("material", "S235JO").ends_with("did you mean 'S235JR'?"));
     CHECK(answer("material", "42CrMo5").ends_with("did you mean '42CrMo4'?"));

@@ -7,8 +7,8 @@
 
 namespace loadpath::project {
 
-/// Loads of the step below an unused value of [values], down to a tenth of it, and factors below one of their own name: a
-/// starting torque that is written down and acts on nothing needs a reason.
+/// Loads of the step below an unused value of [values], down to a tenth of it, and factors below one of their own name:
+/// a starting torque that is written down and acts on nothing needs a reason.
 std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project);
 
 }  // namespace loadpath::project

@@ -14,8 +14,8 @@ std::vector<ReducedLoad> contradictions(const Step& step, const Project& project
 /// Adds those that nobody answers for to the loads of the step that are not assessed; after check_reductions.
 void check_machine(Step& step, const Project& project);
 
-/// After all steps are solved: whether a step that was solved before another one has other contradictions now, so that the
-/// project is to be solved again. The order of the tables in a file does not decide.
+/// After all steps are solved: whether a step that was solved before another one has other contradictions now, so that
+/// the project is to be solved again. The order of the tables in a file does not decide.
 bool hand_out_contradictions(Project& project);
 
 }  // namespace loadpath::project

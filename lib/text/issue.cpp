@@ -170,7 +170,9 @@ std::vector<std::string> all_nearest(std::string_view word, const std::vector<st
     const std::u32string points = code_points(candidate);
     const std::size_t longer = std::max(points.size(), wanted.size()), shorter = std::min(points.size(), wanted.size());
     if (longer - shorter > reach) continue;
-    const std::size_t is_other = exact.starts_with(points) ? 0 : 1;  // 6208 before 6200 for 62080
+    const bool has_digit_more = exact.size() > points.size() && exact.starts_with(points) &&
+                                exact[points.size()] >= U'0' && exact[points.size()] <= U'9';
+    const std::size_t is_other = has_digit_more ? 0 : 1;  // 6208 before 6200 for 62080
     const std::tuple far{distance(wanted, lower(points)), distance(exact, points), is_other};
     if (std::get<0>(far) > reach || std::get<0>(far) > std::get<0>(best)) continue;
     if (std::get<0>(far) < std::get<0>(best)) found.clear();

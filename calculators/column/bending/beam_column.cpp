@@ -129,6 +129,9 @@ void take_shear(const Input& in, const Bending& at, Result& r, Tracer& trace) {
 
 bool BeamColumn::force_given(const Input& in) { return is_set(in.N) || is_set(in.P); }
 
+bool BeamColumn::plastic_fits(const Input& in) { return plastic_beyond_plates(in).path.empty(); }
+FieldFault BeamColumn::other_plastic(const Input& in) { return plastic_beyond_plates(in); }
+
 bool BeamColumn::fits_shape(const Input& in) {
   const SectionKind kind = kind_of(in);
   const bool sides = is_set(in.h) && is_set(in.b);

@@ -148,6 +148,8 @@ gamma_F = 1
   static double amount(const Input& in) { return in_si(area_of(in)); }
   static bool force_given(const Input& in);
   static bool fits_shape(const Input& in);
+  static bool plastic_fits(const Input& in);
+  static FieldFault other_plastic(const Input& in);
   static bool by_a_code(const Input& in);
   static FieldFault not_of_code(const Input& in);
   static bool free_end_is_unloaded(const Input& in);
@@ -184,6 +186,8 @@ gamma_F = 1
           Rule<Input>{&fits_shape, "kind, d, h, b, t_f, t_w",
                       "the section must be a doubly symmetric I, a hollow section or (ec3) a solid bar, with its kind "
                       "and its dimensions h, b, t_f and t_w, or d and t_w"},
+          Rule<Input>{&plastic_fits, "W_pl_y, W_pl_z, h, b, t_f, t_w",
+                      "the plastic section moduli must be those of the plates", &other_plastic},
           Rule<Input>{&free_end_is_unloaded, "ends_z, ends, beta_z, l_LT, z_g, q_z, F_z",
                       "of a bar with a free or sway end, or with l_LT, a load above the shear centre is not covered: "
                       "z_g = \"0 mm\" if it acts there; in place of l_LT give supports_z"},

@@ -1,6 +1,7 @@
 #include "calculators/column/bending/parts.hpp"
 
 #include "calculators/section/shapes/torsion.hpp"
+#include "lib/quantity/format.hpp"
 
 namespace loadpath::column {
 
@@ -129,6 +130,21 @@ Geometry geometry_of(const Input& in) {
   const Length between = in.h - in.t_f;
   s.I_w = or_else(in.I_w, is_I(kind_of(in)) ? s.I_z * between * between / 4.0 : 0.0 * mm6.one);
   return s;
+}
+
+FieldFault plastic_beyond_plates(const Input& in) {
+  constexpr double most = 1.15;  // over that of the plates: fillets
+  const Geometry plates = of_plates(in, kind_of(in));
+  const auto fault = [&](const char* key, SectionModulus typed, SectionModulus of_plates) {
+    return FieldFault{
+        key,
+        say("{1} = {2} is more than {3}, 1.15 times that of the plates", key,
+            format_quantity(in_si(typed), mm3.symbol, 5), format_quantity(in_si(most * of_plates), mm3.symbol, 5)),
+        say("check the unit, or omit it: it follows from the plates")};
+  };
+  if (in.W_pl_y > most * plates.W_pl_y) return fault("W_pl_y", in.W_pl_y, plates.W_pl_y);
+  if (in.W_pl_z > most * plates.W_pl_z) return fault("W_pl_z", in.W_pl_z, plates.W_pl_z);
+  return {};
 }
 
 Lateral lateral_of(const Input& in, const Geometry& s) { return {in.E, in.E / 2.6, s.I_z, s.I_t, s.I_w}; }

@@ -4,6 +4,7 @@
 #include "calculators/column/bending/input.hpp"
 #include "calculators/column/buckling_parts.hpp"
 #include "calculators/column/member/length_factor.hpp"
+#include "lib/text/issue.hpp"
 
 namespace loadpath::column {
 
@@ -42,6 +43,9 @@ struct Geometry {
   SecondMoment I_y = unset<SecondMoment>, I_z = unset<SecondMoment>, I_t = unset<SecondMoment>;
   Warping I_w = unset<Warping>;
 };
+
+/// A typed plastic section modulus above that of the plates; without a path if there is none.
+FieldFault plastic_beyond_plates(const BeamColumnInput& in);
 
 Geometry geometry_of(const BeamColumnInput& in);
 

@@ -173,7 +173,7 @@ bool may_vary(const Project& project, const std::string& path, const std::set<st
   return is_known && (reading.record.data == nullptr || !find_leaf(reading.record, rest));
 }
 
-/// Whether the step is compared by numbers that vary: with what the project states beside it.
+/// Whether the step is compared with other statements of the project by numbers that vary.
 bool compares_with_others(const Step& step, const Project& project, const std::set<std::string>& affected) {
   if (compares_numbers(step, project)) return true;
   const NotedReads reads;

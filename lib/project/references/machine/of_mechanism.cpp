@@ -99,7 +99,7 @@ void compare_load_cases(const Step& step, const Project& project, std::vector<Re
   }
 }
 
-/// A force typed beside values of a mechanism: "F = 1 kN" with "n = =press.links.rod.omega".
+/// A typed force, next to values of a mechanism: "F = 1 kN" with "n = =press.links.rod.omega".
 void compare_typed_forces(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   std::vector<std::string> typed;
   for (const auto& entry : step.input().reading.typed) {

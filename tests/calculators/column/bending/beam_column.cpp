@@ -36,6 +36,22 @@ TEST_SUITE("column with bending") {
     CHECK(rel(little("u_z"), little("u")) < 1e-9);
   }
 
+  TEST_CASE("a typed plastic modulus is that of the plates, but for fillets") {
+    const auto error = [](const std::string& W_pl_y) {
+      return test::first_error_of(
+          "[c]\ncalculator = \"column.beam_column\"\nP = \"600 kN\"\nM_y = \"60 kN*m\"\nl = \"4 m\"\nends = "
+          "\"pinned_pinned\"\n"
+          "h = \"200 mm\"\nb = \"200 mm\"\nt_w = \"9 mm\"\nt_f = \"15 mm\"\nr = \"18 mm\"\nkind = \"rolled_I\"\nA = "
+          "\"7808 mm^2\"\n"
+          "I_y = \"5696 cm^4\"\nI_z = \"2003 cm^4\"\nE = \"210 GPa\"\nR_e = \"235 MPa\"\nmethod = \"ec3\"\ngamma_M1 = "
+          "1\n"
+          "gamma_F = 1\nW_pl_y = \"" +
+          W_pl_y + "\"\n");
+    };
+    CHECK(error("642.5 cm^3").empty());
+    CHECK(error("6425 cm^3").starts_with("W_pl_y = 6425000 mm³ is more than "));
+  }
+
   TEST_CASE("a short bar is limited by its section") {
     const ExampleStep bar = step("l = \"10 mm\"\nM_y_1 = \nM_y_2 = \nM_y = \"1 N*m\"\nM_z = ");
     CHECK(rel(bar("chi_LT"), 1.0) < 1e-12);

@@ -133,12 +133,12 @@ Geometry geometry_of(const Input& in) {
 }
 
 FieldFault plastic_beyond_plates(const Input& in) {
-  constexpr double most = 1.15;  // over that of the plates: fillets
+  constexpr double most = 1.35;  // over that of the plates: fillets; a published benchmark has 1.31 about z
   const Geometry plates = of_plates(in, kind_of(in));
   const auto fault = [&](const char* key, SectionModulus typed, SectionModulus of_plates) {
     return FieldFault{
         key,
-        say("{1} = {2} is more than {3}, 1.15 times that of the plates", key,
+        say("{1} = {2} is more than {3}, 1.35 times that of the plates", key,
             format_quantity(in_si(typed), mm3.symbol, 5), format_quantity(in_si(most * of_plates), mm3.symbol, 5)),
         say("check the unit, or omit it: it follows from the plates")};
   };

@@ -4,6 +4,8 @@
 #include "lib/project/run/evaluation/searched_rules.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -40,16 +42,42 @@ void Passing::excuse_sizeless() {
   }
 }
 
+/// A candidate that fails does so mostly at the position where the one before failed.
 bool Passing::passes() {
   evaluation_.settle_sizes();
   if (!keeps_rules()) return false;
+  if (failed_at_ < evaluation_.positions() && evaluation_.evaluate_at(failed_at_) && !holds_here()) return false;
+  std::vector<std::pair<const FieldInfo*, Value>> checks;
+  for (const FieldInfo& f : evaluation_.calculator().result->fields) {
+    if (f.role == Role::check && counts({&f})) checks.emplace_back(&f, Value{{f.dimension, evaluation_.axis()}, {}});
+  }
+  for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
+    const bool is_available = evaluation_.evaluate_at(i);
+    if (is_available && !holds_here()) return failed_at_ = i, false;
+    for (auto& [check, column] : checks)
+      column.si.push_back(is_available ? check->get(evaluation_.result().data.get()) : std::nan(""));
+  }
+  return std::all_of(checks.begin(), checks.end(), [](const auto& check) {  // between the positions, too
+    const Value& column = check.second;
+    return account::is_kept(*check.first, column.is_series() ? maximum(column).value : column.si[0]);
+  });
+}
+
+/// Whether nothing fails as it is evaluated now; a check without a value may have one at other positions.
+bool Passing::holds_here() const {
+  void* const result = evaluation_.result().data.get();
   const auto& fields = evaluation_.calculator().result->fields;
-  return std::all_of(fields.begin(), fields.end(),
-                     [&](const FieldInfo& f) {
-                       return f.role != Role::check || !counts({&f}) ||
-                              account::is_kept(f, evaluation_.largest_result(f));
-                     }) &&
-         keeps_limits(true) && keeps_limits(false);
+  return std::all_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
+    if (f.type == FieldInfo::Type::list) {
+      for (std::size_t k = 0; k < f.size(result); ++k) {
+        if (!element_passes(f, k)) return false;
+      }
+      return true;
+    }
+    if (f.role != Role::check && f.role != Role::limit) return true;
+    const double si = f.get(result);
+    return (f.role == Role::check && std::isnan(si)) || account::is_kept(f, si) || !counts({&f});
+  });
 }
 
 bool Passing::passes_again() {
@@ -89,32 +117,6 @@ bool Passing::element_keeps(const FieldInfo& list, std::size_t k, bool criteria)
 
 bool Passing::element_passes(const FieldInfo& list, std::size_t k) const {
   return element_keeps(list, k, true) && element_keeps(list, k, false);
-}
-
-/// The same of every element at every position.
-bool Passing::lists_pass(bool criteria) {
-  const auto judges = [&](const FieldInfo& f) { return is_held_against(f, criteria); };
-  for (const FieldInfo& list : evaluation_.calculator().result->fields) {
-    if (list.type != FieldInfo::Type::list || std::none_of(list.fields.begin(), list.fields.end(), judges)) continue;
-    for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
-      if (!evaluation_.evaluate_at(i)) continue;
-      void* const result = evaluation_.result().data.get();
-      for (std::size_t k = 0; k < list.size(result); ++k) {
-        if (!element_keeps(list, k, criteria)) return false;
-      }
-    }
-  }
-  return true;
-}
-
-/// Whether the criteria among the limits are kept, or those of the methods.
-bool Passing::keeps_limits(bool criteria) {
-  const auto& fields = evaluation_.calculator().result->fields;
-  return std::all_of(fields.begin(), fields.end(),
-                     [&](const FieldInfo& f) {
-                       return f.role != Role::limit || f.is_criterion != criteria || !counts({&f}) || !first_outside(f);
-                     }) &&
-         lists_pass(criteria);
 }
 
 std::optional<double> Passing::first_outside(const FieldInfo& limit) {

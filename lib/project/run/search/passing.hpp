@@ -51,14 +51,14 @@ class Passing {
   std::optional<double> first_outside(const FieldInfo& limit);
 
  private:
-  bool keeps_limits(bool criteria);
-  bool lists_pass(bool criteria);
+  [[nodiscard]] bool holds_here() const;
   [[nodiscard]] bool is_held_against(const FieldInfo& field, bool criteria) const;
   [[nodiscard]] bool keeps(const FieldInfo& field, const void* owner, bool criteria) const;
   [[nodiscard]] bool element_keeps(const FieldInfo& list, std::size_t k, bool criteria) const;
 
   Evaluation& evaluation_;
   std::set<Row> excused_;
+  std::size_t failed_at_ = 0;    // the last position at which a candidate failed
   std::vector<bool> concerned_;  // for every rule whether a search must satisfy it, once determined
 };
 

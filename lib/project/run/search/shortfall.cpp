@@ -3,6 +3,7 @@
 #include "lib/account/rows.hpp"
 #include "lib/numerics/magnitude.hpp"
 #include "lib/project/modes.hpp"
+#include "lib/project/run/search/evaluated_rows.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -32,33 +33,11 @@ double excess_over(const Range& bounds, double si) {
   return std::max(1.0, std::max(si / bound, bound / si));
 }
 
-/// Every assessed row of the elements of lists that counts, at every position: of the part as it was evaluated last
-/// there.
-void for_each_listed(Evaluation& evaluation, const Passing& passing,
-                     const std::function<void(const FieldInfo& list, const Row& row, double si)>& visit) {
-  for (std::size_t i = 0; i < evaluation.positions(); ++i) {
-    if (!evaluation.evaluate_at(i)) continue;
-    void* const result = evaluation.result().data.get();
-    for (const FieldInfo& list : evaluation.calculator().result->fields) {
-      if (list.type != FieldInfo::Type::list) continue;
-      for (std::size_t k = 0; k < list.size(result); ++k) {
-        for (const FieldInfo& f : list.fields) {
-          const bool judges = f.role == Role::check || f.role == Role::limit;
-          if (judges && passing.counts({&f, k})) visit(list, {&f, k}, f.get(list.element(result, k)));
-        }
-      }
-    }
-  }
-}
-
-/// Adds the shortfall of list elements.
-void add_shortfall_of_lists(Evaluation& evaluation, const Passing& passing, Shortfall& shortfall) {
-  for_each_listed(evaluation, passing, [&](const FieldInfo&, const Row& row, double si) {
-    if (std::isnan(si)) return;  // the limits report a missing value
-    const FieldInfo& f = *row.field;
-    double& most = f.role == Role::check || f.is_criterion ? shortfall.check : shortfall.limit;
-    most = std::max(most, f.role == Role::check ? si : excess_over(f.bounds, si));
-  });
+/// Adds the shortfall of a row of a list element.
+void add_shortfall_of_element(const FieldInfo& row, double si, Shortfall& shortfall) {
+  if (std::isnan(si)) return;  // the limits report a missing value
+  double& most = row.role == Role::check || row.is_criterion ? shortfall.check : shortfall.limit;
+  most = std::max(most, row.role == Role::check ? si : excess_over(row.bounds, si));
 }
 
 /// The path "seats.coupling.x_c" of an element as it was evaluated last.
@@ -79,7 +58,7 @@ CandidateFault fault_of_limit(const std::string& path, const FieldInfo& limit, d
 /// The check in a list that is beyond 1 most, and beyond `most`; empty if none is.
 CandidateFault fault_of_lists(Evaluation& evaluation, const Passing& passing, double most) {
   CandidateFault worst;
-  for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
+  EvaluatedRows(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
     if (row.field->role != Role::check || !numerics::exceeds(si, most)) return;
     most = si;
     worst = fault_of_check(path_of(evaluation, list, row), most);
@@ -90,7 +69,7 @@ CandidateFault fault_of_lists(Evaluation& evaluation, const Passing& passing, do
 /// The first limit in a list that is not kept, else the first check there without a value; empty if there is none.
 CandidateFault fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
   CandidateFault outside, unknown;
-  for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
+  EvaluatedRows(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
     const FieldInfo& f = *row.field;
     if (account::is_kept(f, si)) return;
     if (std::isnan(si) && unknown.text.empty()) unknown.text = say("{1} has no value", path_of(evaluation, list, row));
@@ -124,8 +103,8 @@ CandidateFault fault_of_limits(Evaluation& evaluation, Passing& passing) {
 }
 
 /// The largest value of a check that is not passed; nothing if it is.
-std::optional<double> failed_value(Evaluation& evaluation, const FieldInfo& check) {
-  const double largest = evaluation.largest_result(check);
+std::optional<double> failed_value(const EvaluatedRows& rows, const FieldInfo& check) {
+  const double largest = rows.largest(check);
   return numerics::exceeds(largest, 1.0) ? std::optional(largest) : std::nullopt;
 }
 
@@ -139,16 +118,16 @@ bool is_unmoved(const FieldInfo& field, double with_smallest, double with_larges
 
 FailedValues failed_values(Evaluation& evaluation, Passing& passing) {
   FailedValues outside;
-  for (const FieldInfo& f : evaluation.calculator().result->fields) {
-    if (!passing.counts({&f})) continue;
-    const auto bad = f.role == Role::limit ? passing.first_outside(f) : failed_value(evaluation, f);
-    if (bad && !std::isnan(*bad)) outside[{&f}] = *bad;
-  }
-  for_each_listed(evaluation, passing, [&](const FieldInfo&, const Row& row, double si) {
+  const EvaluatedRows rows(evaluation, passing, [&](const FieldInfo&, const Row& row, double si) {
     if (std::isnan(si) || account::is_kept(*row.field, si)) return;
     const auto [known, is_new] = outside.emplace(row, si);
     if (!is_new && row.field->role == Role::check) known->second = std::max(known->second, si);
   });
+  for (const FieldInfo& f : evaluation.calculator().result->fields) {
+    if (!passing.counts({&f})) continue;
+    const auto bad = f.role == Role::limit ? rows.first_outside(f) : failed_value(rows, f);
+    if (bad && !std::isnan(*bad)) outside[{&f}] = *bad;
+  }
   return outside;
 }
 
@@ -165,14 +144,16 @@ FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& lar
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing) {
   Shortfall shortfall;
   bool missing = false;
-  add_shortfall_of_lists(evaluation, passing, shortfall);
+  const EvaluatedRows rows(evaluation, passing, [&](const FieldInfo&, const Row& row, double si) {
+    add_shortfall_of_element(*row.field, si, shortfall);
+  });
   for (const FieldInfo& f : evaluation.calculator().result->fields) {
     if (!passing.counts({&f})) continue;
     if (f.role == Role::check) {
-      const double largest = evaluation.largest_result(f);
+      const double largest = rows.largest(f);
       missing = missing || (std::isnan(largest) && !f.where_set);
       if (numerics::exceeds(largest, shortfall.check)) shortfall.check = largest;
-    } else if (const auto bad = passing.first_outside(f)) {
+    } else if (const auto bad = rows.first_outside(f)) {
       shortfall.limit = std::max(shortfall.limit, excess_over(f.bounds, *bad));
       if (f.is_criterion) shortfall.check = std::max(shortfall.check, shortfall.limit);
     }
@@ -185,13 +166,12 @@ CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing) {
   evaluation.settle_sizes();
   if (!evaluation.is_settled()) return {evaluation.unsettled()};
   if (const auto rule = passing.first_broken_rule()) return {evaluation.broken_rule(*rule).message};
-  const bool is_single = evaluation.axis() == nullptr;  // from one evaluation
-  if (is_single) evaluation.evaluate_at(0);
+  const EvaluatedRows rows(evaluation, passing);
   const FieldInfo* worst = nullptr;  // a check without a value may be so for a limit that is not kept
   double most = 1.0;
   for (const FieldInfo& f : evaluation.calculator().result->fields) {
     if (f.role != Role::check || !passing.counts({&f})) continue;
-    const double largest = is_single ? f.get(evaluation.result().data.get()) : evaluation.largest_result(f);
+    const double largest = rows.largest(f);
     if (!numerics::exceeds(largest, most)) continue;
     worst = &f;
     most = largest;

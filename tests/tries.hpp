@@ -16,6 +16,9 @@ inline bool in_full() {
 /// All, or one of `of`. A suite that calls it is marked takes_share (tests/parts.hpp).
 inline int tries(int all, int of = 10) { return in_full() || all <= of ? all : all / of; }
 
+/// Whether number `at` of many is tried: all, or the first of each `of`. A suite that calls it is marked takes_share.
+inline bool is_tried(std::size_t at, std::size_t of) { return in_full() || at % of == 0; }
+
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool sanitized = true;
 #elif defined(__has_feature)

@@ -1,5 +1,7 @@
 // Every page of every example, as a browser lays it out.
 #include "tests/browser/examples.hpp"
+#include "tests/parts.hpp"
+#include "tests/tries.hpp"
 
 #include <doctest/doctest.h>
 
@@ -93,7 +95,7 @@ const std::string ragged = R"((() => {
 
 }  // namespace
 
-TEST_SUITE("pages in a browser") {
+TEST_SUITE("pages in a browser" * takes_share) {
   TEST_CASE("nothing stands out of the page, over other text, letter below letter, or leads nowhere") {
     if (browser_there().empty()) {
       MESSAGE("skipped: no Chromium");
@@ -101,7 +103,9 @@ TEST_SUITE("pages in a browser") {
     }
     const Desk desk;
     Browser browser;
+    std::size_t at = 0;
     for (const std::string& name : examples()) {
+      if (!is_tried(at++, 3)) continue;
       CAPTURE(name);
       if (!write_report(desk, name, "r.html")) continue;
       for (const int width : {1280, 768, 390}) {

@@ -174,9 +174,8 @@ TEST_SUITE("contract: formulas" * by_element) {
         }
       }
     };
-    auto missing = source_formulas();
-    CHECK(missing.size() > 600);
-    std::erase_if(missing, [](const SourceFormula& f) { return !takes(f.folder); });
+    auto missing = source_formulas([](std::string_view folder) { return takes(folder); });
+    if (!is_part()) CHECK(missing.size() > 600);
     const auto all = sources();
     for (const Source& source : all) {
       if (takes(source.elements.front())) source.solve(check);

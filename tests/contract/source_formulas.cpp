@@ -90,11 +90,13 @@ void read_formulas(const fs::path& root, const fs::path& file, std::vector<Sourc
 
 }  // namespace
 
-std::vector<SourceFormula> source_formulas() {
+std::vector<SourceFormula> source_formulas(const std::function<bool(std::string_view)>& is_read) {
   const fs::path root = LOADPATH_ROOT;
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(root / "calculators")) {
-    if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp") files.push_back(entry.path());
+    const fs::path& file = entry.path();
+    const bool is_source = file.extension() == ".hpp" || file.extension() == ".cpp";
+    if (is_source && is_read(folder_of(fs::relative(file, root)))) files.push_back(file);
   }
   std::sort(files.begin(), files.end());
   std::vector<SourceFormula> formulas;

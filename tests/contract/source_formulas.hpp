@@ -1,7 +1,9 @@
 // The formulas as written in the sources of the calculators.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace loadpath::test {
@@ -14,7 +16,7 @@ struct SourceFormula {
   std::string text;    // printed form
 };
 
-/// All of them, in the order of files and lines.
-std::vector<SourceFormula> source_formulas();
+/// Those of the folders that `is_read("gear")` takes, in the order of files and lines.
+std::vector<SourceFormula> source_formulas(const std::function<bool(std::string_view)>& is_read);
 
 }  // namespace loadpath::test

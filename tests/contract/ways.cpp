@@ -168,7 +168,7 @@ void attack_all(const test::Known& known, Attacks& attacks) {
     return std::string_view(step->input().calculator->id).starts_with("mechanism.");
   };
   const bool is_slow = std::any_of(project.steps.begin(), project.steps.end(), is_mechanism);
-  const std::size_t every = test::one_of(is_slow ? 307 : 61);
+  const std::size_t every = test::one_of(is_slow ? 613 : 97);
   for (const Number& number : test::numbers_of(tree, project)) {
     for (const double factor : {9.87654, 0.123456, -1.0}) {
       if (attacks.at++ % every != 0) continue;

@@ -2,6 +2,8 @@
 #include "lib/text/utf8.hpp"
 #include "tests/browser/examples.hpp"
 #include "tests/lib/report/documents.hpp"
+#include "tests/parts.hpp"
+#include "tests/tries.hpp"
 
 #include <doctest/doctest.h>
 
@@ -43,14 +45,16 @@ std::string first_page(const Desk& desk) { return desk.shell("pdftotext -f 1 -l 
 
 }  // namespace
 
-TEST_SUITE("reports set by LaTeX") {
+TEST_SUITE("reports set by LaTeX" * takes_share) {
   TEST_CASE("the report of every example is set without an error, and within its margins") {
     if (!is_there("pdflatex")) {
       MESSAGE("skipped: no pdflatex");
       return;
     }
     const Desk desk;
+    std::size_t at = 0;
     for (const std::string& name : examples()) {
+      if (!is_tried(at++, 3)) continue;
       CAPTURE(name);
       if (!write_report(desk, name, "r.tex")) continue;
       CHECK(errors_of(desk) == "");

@@ -22,10 +22,10 @@ std::string text_of(const std::string& path) {
   return text;
 }
 
-constexpr const char* examples[] = {"slotted-lever", "line-shaft",    "toggle-press",     "geared-press",
-                                    "cam-valve",     "compressor",    "press-link",       "conveyor-drive",
-                                    "air-receiver",  "fan-belt",      "shouldered-shaft", "gear-stage",
-                                    "lift",          "gearbox-shaft", "load-history",     "frame-column"};
+constexpr const char* examples[] = {"slotted-lever",    "line-shaft", "toggle-press",   "geared-press",  "cam-valve",
+                                    "compressor",       "press-link", "conveyor-drive", "air-receiver",  "fan-belt",
+                                    "shouldered-shaft", "gear-stage", "lift",           "gearbox-shaft", "load-history",
+                                    "frame-column",     "gearbox"};
 
 report::Document report_of(const std::string& name) {
   const std::string file = "examples/" + name + "/project.toml";

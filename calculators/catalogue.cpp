@@ -19,7 +19,7 @@ namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; st
 namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; struct Multiaxial; struct Staircase; struct Survival; struct Fkm; }
 namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; }
-namespace drive { struct Train; }
+namespace drive { struct Train; struct FrictionWheels; }
 namespace belt { struct Flat; struct V; struct VSizing; struct Course; }
 namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct Spatial; struct UniversalJoint; }
 namespace dynamics {
@@ -101,6 +101,7 @@ static constexpr std::array all{
     Row{&erased<gear::Rating>},
     Row{&erased<chain::Roller>},
     Row{&erased<drive::Train>},
+    Row{&erased<drive::FrictionWheels>},
     Row{&erased<belt::Flat>},
     Row{&erased<belt::V>},
     Row{&erased<belt::VSizing>},

@@ -530,6 +530,11 @@ const Case drives[] = {
     {"drive.train", R"(stages = [{ kind = "worm", z_1 = 2, z_2 = 40, eta = 0.72 }])", "stages[1].x_eta",
      0.8},  // usual up to 0.9
     {"chain.roller", "z_1 = 38", "f_2", std::pow(0.5, 1.08)},
+    {"drive.friction_wheels", "shape = \"bevel\"\nd_2 = \"200 mm\"", "delta_2", pi / 4},  // alike, at right angles
+    {"drive.friction_wheels", "shape = \"bevel\"\nSigma = \"60 deg\"\nd_2 = \"200 mm\"", "delta_1", pi / 6},
+    {"drive.friction_wheels", "P = \nT_1 = \"100 N*m\"\nK_A = 1\npair = \nmu = 0.5\nS_min = 2", "F_p", 4000.0},
+    {"drive.friction_wheels", "shape = \"grooved\"\nalpha = \"30 deg\"\nc_r = 0\nF_p = \"2 kN\"", "F_n",
+     4000.0},                                            // a wedge without friction
     {"belt.course", R"(n_1 = "12.5 rad/s")", "v", 1.0},  // with a radius of 80 mm
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"", "L", 2.4 + 0.3 * pi},
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"\narrangement = \"crossed\"", "gamma",

@@ -370,6 +370,10 @@ const Side pulleys[] = {
     {"belt.course", "u_S", over, "S_0", R"("248 N")", R"("247 N")"},
     {"belt.course", "N_min", over, "S_0", R"("45 N")", R"("44 N")", "mu = "},
     {"belt.course", "u_T", over, "S_adm", R"("2 kN")", R"("0.5 kN")"},
+    {"drive.friction_wheels", "u_S", over, "F_p", R"("1919 N")", R"("1918 N")"},
+    {"drive.friction_wheels", "u_p", over, "q_adm", R"("24 N/mm")", R"("23.9 N/mm")"},
+    {"drive.friction_wheels", "u_p", over, "p_adm", R"("109 MPa")", R"("108 MPa")",
+     "E_1 = \"210 GPa\"\nE_2 = \"210 GPa\""},  // 108.37 MPa
     {"belt.flat", "u_S", over, "S_0", R"("1201 N")", R"("1200 N")", R"(b = "100 mm")"},
     {"belt.flat", "u_sigma", over, "sigma_adm", R"("7.2 MPa")", R"("7.1 MPa")", "b = \"100 mm\"\nE_b = "},
     {"belt.flat", "sigma_N", over, "n_1", R"("7000 rpm")", R"("7100 rpm")", "b = \"100 mm\"\nE_b = "},

@@ -70,6 +70,7 @@ constexpr const char* of_a_wall = "the pressure is the load of its wall, and com
 constexpr const char* of_energy = "the moments about one axis are its energy; the shaft takes what comes along";
 constexpr std::array takes_alone{
     Reason{"drive.train", of_a_drive},
+    Reason{"drive.friction_wheels", of_a_drive},
     Reason{"gear.pair", of_a_drive},
     Reason{"gear.planetary", of_a_drive},
     Reason{"gear.rating", of_a_drive},

@@ -63,7 +63,8 @@ constexpr std::array unbroken{
 /// Modes of strength that pass however large the load is.
 constexpr const char* by_speed = "speed and sizes decide";
 constexpr const char* by_sizes = "sizes decide";
-constexpr const char* by_tension = "the tension that is not typed grows with the load; strength holds against it";
+constexpr const char* by_tension =
+    "the tension or pressing force that is not typed grows with the load; strength holds";
 constexpr const char* by_balance = "all forces on it grow alike, and so does what drives it";
 constexpr std::array without_load{
     Reason{"bearing.rolling speed", by_speed},
@@ -88,6 +89,7 @@ constexpr std::array without_load{
     Reason{"column.buckling slenderness", by_sizes},
     Reason{"column.lightest local", "class 3 at the yield strength"},
     Reason{"column.lightest slenderness", by_sizes},
+    Reason{"drive.friction_wheels grip", by_tension},
     Reason{"dynamics.lift reach", by_balance},
     Reason{"dynamics.lift slack", by_balance},
     Reason{"dynamics.throw landing", by_speed},

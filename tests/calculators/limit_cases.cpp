@@ -532,6 +532,14 @@ const Case drives[] = {
     {"chain.roller", "z_1 = 38", "f_2", std::pow(0.5, 1.08)},
     {"drive.friction_wheels", "shape = \"bevel\"\nd_2 = \"200 mm\"", "delta_2", pi / 4},  // alike, at right angles
     {"drive.friction_wheels", "shape = \"bevel\"\nSigma = \"60 deg\"\nd_2 = \"200 mm\"", "delta_1", pi / 6},
+    {"drive.friction_wheels",  // flanks of 30 deg curve half as much as cylinders
+     "shape = \"grooved\"\nalpha = \"30 deg\"\nc_r = 0\nF_p = \"2 kN\"\nd_1 = \"2.5 m\"\nd_2 = \"2.5 m\"\nb = \"1 m\"\n"
+     "E_1 = \"100 GPa\"\nE_2 = \"100 GPa\"\nnu_1 = 0\nnu_2 = 0",
+     "p_H", std::sqrt(2000 * 0.8 * 50e9 / pi)},
+    {"drive.friction_wheels",  // cones of 45 deg curve less than cylinders, by its cosine
+     "shape = \"bevel\"\nF_p = \"2 kN\"\nd_1 = \"2 m\"\nd_2 = \"2 m\"\nb = \"1 m\"\nE_1 = \"100 GPa\"\n"
+     "E_2 = \"100 GPa\"\nnu_1 = 0\nnu_2 = 0",
+     "p_H", std::sqrt(2000 * std::numbers::sqrt2 * std::numbers::sqrt2 * 50e9 / pi)},
     {"drive.friction_wheels", "P = \nT_1 = \"100 N*m\"\nK_A = 1\npair = \nmu = 0.5\nS_min = 2", "F_p", 4000.0},
     {"drive.friction_wheels", "shape = \"grooved\"\nalpha = \"30 deg\"\nc_r = 0\nF_p = \"2 kN\"", "F_n",
      4000.0},                                            // a wedge without friction

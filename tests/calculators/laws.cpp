@@ -49,6 +49,7 @@ const Law sections[] = {
 const Law bars[] = {
     {"shaft.torsion", R"(d = "70 mm")", R"(d = "140 mm")", "u_tau", 1.0 / 8},
     {"shaft.torsion", R"(d = "70 mm")", R"(d = "140 mm")", "u_theta", 1.0 / 16},
+    {"shaft.torsion", R"(d = "70 mm")", R"(d = "140 mm")", "k_t", 16},
     {"shaft.overhung", R"(d = "40 mm")", "d = \"40 mm\"\nF = \"7308 N\"\nT = \"156.6 N*m\"", "u_v", 2},
     {"shaft.overhung", R"(d = "40 mm")", "d = \"40 mm\"\nF = \"7308 N\"\nT = \"156.6 N*m\"", "u_Q", 2},
     {"shaft.design", "g_angle = ", "g_angle = \nK_A = 2", "M_max", 2},  // weight is not a service load

@@ -96,6 +96,10 @@ const char* const pressed_hub =
     R"(seats = [{ name = "coupling", x = "0 mm", way = "balances", integral = true }, { name = "gear", x = "100 mm", T = "50 N*m", T_c = "60 N*m", n_c = "2900 rpm" }])";
 
 const Case bars[] = {
+    {"shaft.torsion", "d = \"2 m\"\nG = \"80 GPa\"", "segments[2].GI_t", 80e9 * pi / 2},
+    {"shaft.torsion", "d = \"2 m\"\nG = \"80 GPa\"", "k_t", 80e9 * pi / 2},  // over 1 m
+    {"shaft.torsion", "torques = \nT = \"1 kN*m\"\nsegments = [{ l = \"1 m\", d = \"100 mm\", rho = \"0 mm\" }]",
+     "segments[1].tau_rho", 0.0},
     {"shaft.torsion", "torques = \nP = \"1 kW\"\nn = \"1 rad/s\"\nK_A = 1", "M_max", 1000.0},
     {"shaft.torsion", "d = \"2 m\"\ntorques = [{ x = \"0 m\", T = \"1 MN*m\" }, { x = \"1 m\", T = \"-1 MN*m\" }]",
      "tau_max", 1e6 / (pi / 2)},

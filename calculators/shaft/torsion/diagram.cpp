@@ -30,7 +30,7 @@ Stretches stretches(Torques torques, const Cylinders& cylinders) {
     while (end - x > same) {
       for (; next != torques.end() && next->x <= x + same; ++next) M += next->T;
       const Length stop = next != torques.end() && next->x < end - same ? next->x : end;
-      result.push_back({x, M, {stop - x, c.d, c.chi, c.d_bore}});
+      result.push_back({x, M, {stop - x, c.d, c.chi, c.d_bore, c.rho}});
       x = stop;
     }
   }

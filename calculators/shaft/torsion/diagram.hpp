@@ -20,6 +20,7 @@ struct Cylinder {
   Length d;
   double chi;
   Length d_bore;
+  Length rho = unset<Length>;  // radius of the stress that is shown
 };
 
 /// A stretch between two neighbouring sections in which moment and diameter are constant.

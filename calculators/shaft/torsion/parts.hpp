@@ -17,7 +17,7 @@ inline Length total_length(const TorsionTypes::Input& in) {
 
 inline Cylinder cylinder_of(const TorsionTypes::Input& in, const TorsionTypes::Segment& s) {
   const bool own_bore = is_set(s.chi) || is_set(s.d_bore);
-  return {s.l, is_set(s.d) ? s.d : in.d, own_bore ? s.chi : in.chi, own_bore ? s.d_bore : in.d_bore};
+  return {s.l, is_set(s.d) ? s.d : in.d, own_bore ? s.chi : in.chi, own_bore ? s.d_bore : in.d_bore, s.rho};
 }
 
 inline Cylinders cylinders_of(const TorsionTypes::Input& in) {

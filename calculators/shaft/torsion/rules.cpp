@@ -84,6 +84,44 @@ bool Torsion::asks_twist(const Input& in) {
   return is_set(in.G) && (is_set(in.d) || all_known);
 }
 
+namespace {
+
+/// The inner and the outer radius of a segment; the outer one unset where the diameter is left to the calculator.
+struct Wall {
+  Length inner, outer;
+};
+Wall wall_of(const Torsion::Input& in, const Torsion::Segment& s) {
+  const Cylinder c = cylinder_of(in, s);
+  const Length bore = is_set(c.d_bore) ? c.d_bore : is_set(c.chi) ? c.chi * c.d : 0.0 * m.one;
+  return {bore / 2.0, c.d / 2.0};
+}
+
+bool is_outside(const Torsion::Input& in, const Torsion::Segment& s) {
+  const Wall wall = wall_of(in, s);
+  constexpr double rounding = 1e-9;
+  return s.rho < wall.inner * (1.0 - rounding) || s.rho > wall.outer * (1.0 + rounding);
+}
+
+}  // namespace
+
+bool Torsion::radii_in_wall(const Input& in) {
+  return std::none_of(in.segments.begin(), in.segments.end(), [&](const Segment& s) { return is_outside(in, s); });
+}
+
+FieldFault Torsion::radius_outside(const Input& in) {
+  const auto off =
+      std::find_if(in.segments.begin(), in.segments.end(), [&](const Segment& s) { return is_outside(in, s); });
+  if (off == in.segments.end()) return {};
+  const Wall wall = wall_of(in, *off);
+  const std::string place = "segments[" + std::to_string(off - in.segments.begin() + 1) + "].rho";
+  return {off->name.empty() ? place : "segments." + std::string(off->name.view()) + ".rho",
+          off->rho < wall.inner
+              ? say("rho = {1} lies in the bore, which carries no stress", format_quantity(in_si(off->rho), mm.symbol))
+              : say("rho = {1} lies outside the shaft", format_quantity(in_si(off->rho), mm.symbol)),
+          say("give a radius from {1} to {2}", format_quantity(in_si(wall.inner), mm.symbol),
+              format_quantity(in_si(wall.outer), mm.symbol))};
+}
+
 bool Torsion::bores_fit(const Input& in) {
   return std::all_of(in.segments.begin(), in.segments.end(), [&](const Segment& s) {
     const Length d = is_set(s.d) ? s.d : in.d;

@@ -42,7 +42,7 @@ Length size_by_stiffness(Moment M_t, const Cylinder& c, const Allowed& allowed, 
 
 /// Stress and twist of one stretch at its diameter.
 template <class Tracer>
-void load(TorsionTypes::Stretch& s, Stress G, double K_A, Tracer& trace) {
+void load(TorsionTypes::Stretch& s, Length rho, Stress G, double K_A, Tracer& trace) {
   if (s.M_t <= 0.0 * N_m.one && !(s.d > s.d_bore)) {  // no moment has sized it, and none loads it
     s.tau = trace.value("tau", from_si<Stress>(0.0), "no moment");
     if (is_set(G)) s.theta = from_si<Twist>(0.0), s.phi = is_set(s.l) ? 0.0 : s.phi;
@@ -50,8 +50,18 @@ void load(TorsionTypes::Stretch& s, Stress G, double K_A, Tracer& trace) {
   }
   STEP(I_t, pi / 32.0 * (pow<4>(s.d) - pow<4>(s.d_bore)), "polar second moment of area");
   STEP_TO(s, tau, s.M_t * s.d / (2.0 * I_t), "at the surface, [B19] (2)");
+  constexpr double rounding = 1e-9;
+  const bool in_wall = rho >= s.d_bore / 2.0 * (1.0 - rounding) && rho <= s.d / 2.0 * (1.0 + rounding);
+  if (in_wall) {
+    trace.value("rho", rho, "radius of the stress");
+    STEP_TO(s, tau_rho, s.M_t * rho / I_t, "linear over the radius, [B19] (12)");
+  }
   if (!is_set(G)) return;
-  STEP_TO(s, theta, K_A * s.M / (G * I_t), "angle of twist per unit length, signed, [B19] (7)");
+  STEP_TO(s, GI_t, G * I_t, "torsional stiffness, [B19]");
+  STEP_TO(s, theta, K_A * s.M / GI_t, "angle of twist per unit length, signed, [B19] (7)");
+  if (in_wall) {
+    STEP(tau_G, G * rho * abs(theta), "the same stress by the twist, [B19]");
+  }
   if (!is_set(s.l)) return;
   STEP_TO(s, phi, theta * s.l, "twist of the stretch");
 }

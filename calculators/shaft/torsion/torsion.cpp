@@ -74,6 +74,7 @@ void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
   Stress tau_max = from_si<Stress>(0.0);
   Twist theta_max = from_si<Twist>(0.0);
   double twist = 0.0, least = 0.0, most = 0.0;
+  decltype(1.0 / Moment()) compliance = 0.0 / N_m.one;
   r.sections.push_back({x, twist});
   for (std::size_t i = 0; i < parts.size(); ++i) {
     [[maybe_unused]] const auto scope = trace.scope("segments", i);
@@ -81,7 +82,8 @@ void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
     Torsion::Stretch& s = r.segments[i];
     s.d = is_set(c.d) ? c.d : r.d;
     s.d_bore = bore_of(c.d_bore, c.chi, s.d);
-    load(s, in.G, in.K_A, trace);
+    load(s, c.rho, in.G, in.K_A, trace);
+    compliance += s.l / s.GI_t;
     raise(d_max, s.d);
     if (!(d_least <= s.d)) d_least = s.d;
     raise(tau_max, s.tau);
@@ -99,6 +101,8 @@ void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
     r.K_ts = trace.value("K_ts", 1.1, "lower bound for shoulders with any fillet, [Peterson]");
   r.phi = twist;
   r.phi_max = is_set(twist) ? most - least : unset<double>;
+  if (is_set(compliance))
+    r.k_t = trace.value("k_t", 1.0 / compliance, "stretches in series: 1/k_t is the sum of l/(G I_t)");
 }
 
 template <class Tracer>
@@ -134,6 +138,26 @@ Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
 template Torsion::Result Torsion::evaluate(const Input&, NoTrace&);
 template Torsion::Result Torsion::evaluate(const Input&, Trace&);
 
+namespace {
+
+/// The shear stress over the radius, of the stretch with the largest one of those whose stress at a radius was asked
+/// for.
+void add_distribution(const Torsion::Result& r, std::vector<figure::Figure>& figures) {
+  const Torsion::Stretch* most = nullptr;
+  for (const Torsion::Stretch& s : r.segments) {
+    if (is_set(s.tau_rho) && (most == nullptr || s.tau > most->tau)) most = &s;
+  }
+  if (most == nullptr) return;
+  const double inner = in_si(most->d_bore) / 2.0, outer = in_si(most->d) / 2.0, tau = in_si(most->tau);
+  figure::Plot plot;
+  plot.x = {"rho", "distance from the axis", "mm"};
+  plot.y = {"tau", "shear stress", "MPa"};
+  plot.curves.push_back({"tau", {inner, outer}, {tau * inner / outer, tau}, true});
+  figures.push_back({"stress-distribution", "Shear stress over the radius", std::move(plot)});
+}
+
+}  // namespace
+
 std::vector<figure::Figure> Torsion::figures(const Input&, const Result& r) {
   if (!is_set(r.segments.front().l)) return {};
   figure::Curve moment{"M", {}, {}, true};
@@ -149,8 +173,10 @@ std::vector<figure::Figure> Torsion::figures(const Input&, const Result& r) {
   diagram.x = {"x", "position along the shaft", "mm"};
   diagram.y = {"M", "internal moment", "N*m"};
   diagram.curves.push_back(std::move(moment));
-  return {{"shaft", "Side view of the shaft", std::move(side)},
-          {"torque-diagram", "Torque diagram", std::move(diagram)}};
+  std::vector<figure::Figure> figures{{"shaft", "Side view of the shaft", std::move(side)},
+                                      {"torque-diagram", "Torque diagram", std::move(diagram)}};
+  add_distribution(r, figures);
+  return figures;
 }
 
 }  // namespace loadpath::shaft

@@ -66,12 +66,14 @@ theta_adm = "0.004 rad/m"
   static bool asks_twist(const Input& in);
   static bool torques_on_shaft(const Input& in);
   static bool bores_fit(const Input& in);
+  static bool radii_in_wall(const Input& in);
   static Applies loaded(const Input& in);
   static Length thinnest(const Input& in);
   static FieldFault two_safeties(const Input& in);
   static FieldFault no_strength(const Input& in);
   static FieldFault open_sum(const Input& in);
   static FieldFault torque_off_shaft(const Input& in);
+  static FieldFault radius_outside(const Input& in);
   static constexpr auto inputs = join(
       Fields{
           RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
@@ -131,6 +133,8 @@ theta_adm = "0.004 rad/m"
       Field{&Result::theta_max, "theta_max", deg_per_m, "maximum angle of twist per unit length"},
       Field{&Result::phi, "phi", deg, "angle of twist of the right end relative to the left, positive like M"},
       Field{&Result::phi_max, "phi_max", deg, "maximum angle of twist between any two sections"},
+      Field{&Result::k_t, "k_t", N_m_per_rad, "torsional spring rate: torque at both ends / angle of twist"}
+          .where_it_applies(),
       Field{&Result::u_tau, "u_tau", ratio, "strength: maximum / allowable shear stress"}.check(
           "tau_adm, sigma_adm, S"),
       Field{&Result::u_theta, "u_theta", ratio, "stiffness: maximum / allowable angle of twist per unit length"}.check(
@@ -181,6 +185,8 @@ theta_adm = "0.004 rad/m"
           Rule<Input>{&bores_fit, "segments, d",
                       "the bore of a segment must be smaller than its diameter; give it as chi or as "
                       "d_bore, not both"},
+          Rule<Input>{&radii_in_wall, "segments, d", "the radius rho must lie between bore and surface",
+                      &radius_outside},
           heat_treated_before_turning<Input>()});
 
   static constexpr std::array meanings{all_in_shear, all_in_normal};

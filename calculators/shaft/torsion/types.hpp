@@ -10,6 +10,9 @@
 
 namespace loadpath::shaft {
 
+using TorsionalStiffness = decltype(Moment() * Length());
+inline constexpr Unit<TorsionalStiffness> N_m2{"N*m^2", from_si<TorsionalStiffness>(1.0)};
+
 struct TorsionTypes {
   enum class Fixed { none, left, right };
   enum class Governs { strength, stiffness, neither };
@@ -18,7 +21,7 @@ struct TorsionTypes {
     Name name;
     Length l = unset<Length>, d = unset<Length>;
     double chi = unset<double>;
-    Length d_bore = unset<Length>;
+    Length d_bore = unset<Length>, rho = unset<Length>;
     static constexpr Fields fields{
         NameField{&Segment::name, "name", "name of the part"}.may_be_missing(),
         Field{&Segment::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
@@ -28,7 +31,10 @@ struct TorsionTypes {
             .findable("R40")
             .may_be_missing(),
         Field{&Segment::chi, "chi", ratio, "bore ratio d_bore/d"}.at_least(0).below(0.99).may_be_missing(),
-        Field{&Segment::d_bore, "d_bore", mm, "bore diameter"}.at_least(0).may_be_missing()};
+        Field{&Segment::d_bore, "d_bore", mm, "bore diameter"}.at_least(0).may_be_missing(),
+        Field{&Segment::rho, "rho", mm, "radius for the shear stress tau_rho, from the bore to the surface"}
+            .at_least(0)
+            .may_be_missing()};
   };
 
   struct Torque {
@@ -62,7 +68,8 @@ struct TorsionTypes {
     Length x = unset<Length>, l = unset<Length>;
     Moment M = unset<Moment>, M_t = unset<Moment>;
     Length d_strength = unset<Length>, d_stiffness = unset<Length>, d = unset<Length>, d_bore = unset<Length>;
-    Stress tau = unset<Stress>;
+    Stress tau = unset<Stress>, tau_rho = unset<Stress>;
+    TorsionalStiffness GI_t = unset<TorsionalStiffness>;
     Twist theta = unset<Twist>;
     double phi = unset<double>;
     static constexpr Fields fields{
@@ -75,6 +82,9 @@ struct TorsionTypes {
         Field{&Stretch::d, "d", mm, "outer diameter"},
         Field{&Stretch::d_bore, "d_bore", mm, "bore"},
         Field{&Stretch::tau, "tau", MPa, "maximum shear stress"},
+        Field{&Stretch::tau_rho, "tau_rho", MPa, "shear stress at the radius rho"}.where_it_applies(),
+        Field{&Stretch::GI_t, "GI_t", N_m2, "torsional stiffness G I_t: torque per angle of twist per unit length"}
+            .where_it_applies(),
         Field{&Stretch::theta, "theta", deg_per_m, "angle of twist per unit length, signed"},
         Field{&Stretch::phi, "phi", deg, "angle of twist of the right end relative to the left, positive like M"}};
   };
@@ -96,6 +106,7 @@ struct TorsionTypes {
     Stress tau_max = unset<Stress>;
     Twist theta_max = unset<Twist>;
     double phi = unset<double>, phi_max = unset<double>;
+    Moment k_t = unset<Moment>;
     double u_tau = unset<double>, u_theta = unset<double>;
     Force F_bend = unset<Force>;
     double K_ts = unset<double>;

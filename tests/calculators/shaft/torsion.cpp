@@ -71,6 +71,62 @@ TEST_SUITE("shaft") {
     CHECK(rel(in_si(r.theta_max), 0.003437746771) < 1e-9);
   }
 
+  TEST_CASE("a tube of 75 and 60 mm at 88 MPa has 70.4 MPa at its bore ([Mathix-tube])") {
+    shaft::Torsion::Input in = shaft_under(4303.7, 90);
+    in.G = 80.0 * GPa;
+    shaft::Torsion::Segment tube;
+    tube.l = 1.0 * m, tube.d = 75.0 * mm, tube.d_bore = 60.0 * mm, tube.rho = 30.0 * mm;
+    in.segments.push_back(tube);
+    const auto r = solve(in);
+    CHECK(std::abs(in_si(r.tau_max) / 1e6 - 88.0) < 0.05);
+    CHECK(std::abs(in_si(r.segments[0].tau_rho) / 1e6 - 70.4) < 0.05);
+    CHECK(rel(in_si(r.segments[0].tau_rho), 80e9 * 0.030 * in_si(r.segments[0].theta)) < 1e-12);  // G rho theta
+  }
+
+  TEST_CASE("the shear stress is linear over the radius: nothing at the axis, the largest at the surface") {
+    for (const double share : {0.0, 0.25, 1.0}) {
+      shaft::Torsion::Input in = shaft_under(1000, 90);
+      shaft::Torsion::Segment bar;
+      bar.l = 1.0 * m, bar.d = 113.98 * mm, bar.rho = share * 56.99 * mm;
+      in.segments.push_back(bar);
+      const auto r = solve(in);
+      CHECK(std::abs(in_si(r.segments[0].tau_rho) - share * in_si(r.tau_max)) < 1e-6);
+      CHECK(shaft::Torsion::radii_in_wall(in));
+    }
+  }
+
+  TEST_CASE("a radius in the bore or outside the shaft is refused with its place") {
+    shaft::Torsion::Input in = shaft_under(1000, 90);
+    shaft::Torsion::Segment tube;
+    tube.l = 1.0 * m, tube.d = 75.0 * mm, tube.chi = 0.8, tube.rho = 29.9 * mm;
+    in.segments.push_back(tube);
+    CHECK(!shaft::Torsion::radii_in_wall(in));
+    CHECK(shaft::Torsion::radius_outside(in).path == "segments[1].rho");
+    CHECK(shaft::Torsion::radius_outside(in).message.text().find("in the bore") != std::string::npos);
+    in.segments[0].rho = 37.6 * mm;
+    CHECK(!shaft::Torsion::radii_in_wall(in));
+    CHECK(shaft::Torsion::radius_outside(in).message.text().find("outside the shaft") != std::string::npos);
+    in.segments[0].rho = 0.0 * mm, in.segments[0].chi = unset<double>;
+    CHECK(shaft::Torsion::radii_in_wall(in));
+  }
+
+  TEST_CASE("stretches are springs in series: torque over twist, whatever the torques are") {
+    shaft::Torsion::Input in = shaft_under(12000, 60);
+    in.G = 83.0 * GPa;
+    for (const auto& [l, d] : {std::pair{2.0, 80.0}, {1.5, 100.0}, {2.5, 113.98}}) {
+      shaft::Torsion::Segment s;
+      s.l = l * m, s.d = d * mm;
+      in.segments.push_back(s);
+    }
+    const auto r = solve(in);
+    CHECK(rel(in_si(r.k_t), 12000 / r.phi) < 1e-12);
+    for (const auto& s : r.segments) CHECK(rel(in_si(s.GI_t), 12000 / in_si(s.theta)) < 1e-12);
+    in.T = unset<Moment>;
+    in.fixed = shaft::Torsion::Fixed::left;
+    in.torques.push_back({Name(), 3.0 * m, 500.0 * N_m});
+    CHECK(rel(solve(in).k_t, r.k_t) < 1e-12);
+  }
+
   TEST_CASE(
       "12 kN m that twist 6 m of steel by 3 deg ask for 113.98 mm and bring 41.27 MPa ([MATHalino] problem 305)") {
     shaft::Torsion::Input in = shaft_under(12000, 60);

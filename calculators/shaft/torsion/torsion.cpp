@@ -140,8 +140,7 @@ template Torsion::Result Torsion::evaluate(const Input&, Trace&);
 
 namespace {
 
-/// The shear stress over the radius, of the stretch with the largest one of those whose stress at a radius was asked
-/// for.
+/// The shear stress over the radius, of the most stressed stretch that has a radius rho.
 void add_distribution(const Torsion::Result& r, std::vector<figure::Figure>& figures) {
   const Torsion::Stretch* most = nullptr;
   for (const Torsion::Stretch& s : r.segments) {

@@ -3,6 +3,7 @@
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace loadpath::column {
 
@@ -54,6 +55,19 @@ Bar bar_of(const Input& in, const Result& r) {
   return bar;
 }
 
+/// A mode above the first.
+template <class Tracer>
+void add_higher(const Input& in, Result& r, Tracer& trace) {
+  if (in.mode < 2) return;
+  trace.value("mode", in.mode, "number of the root");
+  const double u_n = r.u_n = buckling_parameter(bar_of(in, r), static_cast<int>(in.mode));
+  trace.value("u_n", u_n, "root of the characteristic equation of that number, [Wittrick]");
+  STEP_TO(r, beta_n, pi / u_n, "the hinged bar that buckles at the same force, [B25]");
+  if (!is_set(in.E) || !is_set(in.I)) return;
+  STEP_TO(r, N_cr_n, pow<2>(u_n) * in.E * in.I / pow<2>(in.l),
+          "critical force of the mode, if the lower ones are prevented");
+}
+
 }  // namespace
 
 bool EffectiveLength::ends_or_frame(const Input& in) {
@@ -86,6 +100,7 @@ Result EffectiveLength::evaluate(const Input& in, Tracer& trace) {
   if (!is_set(u)) return r;
   STEP_TO(r, beta, pi / u, "the hinged bar that buckles at the same force, [B25]");
   STEP_TO(r, s, beta * in.l, "effective length, [B25]");
+  add_higher(in, r, trace);
   if (!is_set(in.E) || !is_set(in.I)) return r;
   STEP_TO(r, N_cr, pow<2>(pi) * in.E * in.I / pow<2>(s), "elastic critical (Euler) load, [B25]");
   return r;
@@ -102,6 +117,13 @@ std::vector<figure::Figure> EffectiveLength::figures(const Input& in, const Resu
   plot.x = {"x", "position along the bar", "mm"};
   plot.y = {"w", "deflection / maximum deflection", "-"};
   plot.curves.push_back({"w", std::move(shape.x), std::move(shape.w), false});
+  if (is_set(r.u_n)) {
+    Shape higher = buckled_shape(bar_of(in, r), r.u_n);
+    for (double& x : higher.x) x *= in_si(in.l);
+    plot.curves.front().label = "mode 1";
+    plot.curves.push_back(
+        {"mode " + std::to_string(static_cast<int>(in.mode)), std::move(higher.x), std::move(higher.w), false});
+  }
   return {{"buckled-shape", "Buckling mode shape", std::move(plot)}};
 }
 

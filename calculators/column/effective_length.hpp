@@ -3,12 +3,15 @@
 // Decides beta = s/l from the smallest root of the characteristic equation of the uniform bar: ends that are hinged,
 // built in, guided, free or elastic (against turning, across the bar, or both), or the stiffness ratios G of the
 // joints of a frame, braced or free to sway. Elastic, central load, all columns of a frame buckle together (the
-// assumption of the alignment charts). Not covered: bars of changing section or force, elastic supports between the
-// ends.
+// assumption of the alignment charts). A higher mode, `mode`, is shown in addition: a column reaches it only where the
+// lower ones are prevented, so that its factor is not that of column.buckling. Not covered: bars of changing section or
+// force, elastic supports between the ends.
 #pragma once
 
+#include "calculators/column/member/length_factor.hpp"
 #include "calculators/column/member/stability.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
@@ -62,6 +65,7 @@ end_2 = "pinned"
     Stiffness k_1 = unset<Stiffness>, k_2 = unset<Stiffness>;
     double G_1 = unset<double>, G_2 = unset<double>;
     Frame frame = Frame::unsaid;
+    Whole mode = 1;
     List<Support, most_supports> supports;
   };
   static constexpr Fields inputs{
@@ -97,6 +101,8 @@ end_2 = "pinned"
           .usually(0.1, 100)
           .may_be_missing(),
       Choice{&Input::frame, "frame", "frame type, with G_1 and G_2: braced or sway"}.may_be_missing(),
+      Count{&Input::mode, "mode", 1, 20, "buckling mode of u_n, beta_n and N_cr_n; 1: only the first, which governs"}
+          .may_be_missing(),
       ListField{&Input::supports, "supports", "rigid intermediate supports"}.as_arrays().may_be_missing()};
 
   struct Result {
@@ -104,6 +110,8 @@ end_2 = "pinned"
     double u = unset<double>, beta = unset<double>;
     Length s = unset<Length>;
     Force N_cr = unset<Force>;
+    double u_n = unset<double>, beta_n = unset<double>;
+    Force N_cr_n = unset<Force>;
   };
   static constexpr Fields results{
       Field{&Result::kappa_1, "kappa_1", ratio, "relative rotational stiffness of the first end: c_1/(E I/l)"}
@@ -117,7 +125,12 @@ end_2 = "pinned"
       Field{&Result::u, "u", ratio, "l sqrt(N_cr/(E I)); none for a kinematically unstable bar"}.limit(1e-3, 1e3),
       Field{&Result::beta, "beta", ratio, "effective length factor"},
       Field{&Result::s, "s", mm, "effective length"},
-      Field{&Result::N_cr, "N_cr", kN, "elastic critical force"}.where_it_applies()};
+      Field{&Result::N_cr, "N_cr", kN, "elastic critical force"}.where_it_applies(),
+      Field{&Result::u_n, "u_n", ratio, "l sqrt(N_cr_n/(E I)) of the mode"}.where_it_applies(),
+      Field{&Result::beta_n, "beta_n", ratio, "effective length factor of the mode"}.where_it_applies(),
+      Field{&Result::N_cr_n, "N_cr_n", kN,
+            "elastic critical force of the mode, reached if the lower ones are prevented"}
+          .where_it_applies()};
 
   static bool ends_or_frame(const Input& in);
   static bool springs_fit_ends(const Input& in);
@@ -138,6 +151,7 @@ end_2 = "pinned"
                   },
                   "end_1, end_2, E, I", "springs need E (or a material) and I of the bar"},
       Rule<Input>{&supports_inside, "supports, l", "supports must lie between the ends, in order along the bar"}};
+  static constexpr std::array meanings{Meaning{"beta", factor_of_first_mode}, Meaning{"beta_n", factor_of_higher_mode}};
   static constexpr std::array modes{
       Mode<Input>{"held", "kinematic stability of the supports", &always<Input>}.judged_by("u").of_shape()};
 

@@ -72,6 +72,8 @@ const Law bars[] = {
      "parts = [{ l = \"4 m\", d = \"100 mm\", P = \"50 kN\" }]\nrho = ", "alpha_cr", 1.0 / 4},
     {"column.stepped", "parts = [{ l = \"2 m\", d = \"100 mm\" }]", "parts = [{ l = \"4 m\", d = \"200 mm\" }]",
      "alpha_cr", 1.0 / 2},  // under its weight: q as d^2, E I as d^4, l^3
+    {"column.effective_length", "end_1 = \"pinned\"\nc_1 = \nmode = 2", "end_1 = \"pinned\"\nc_1 = \nmode = 6",
+     "N_cr_n", 9},
     {"column.effective_length", "", "l = \"2.4 m\"\nc_1 = \"20 kN*m/rad\"", "beta", 1},
     // turned about: the ends change places
     {"column.effective_length", "", "end_1 = \"pinned\"\nc_1 = \nend_2 = \"elastic\"\nc_2 = \"40 kN*m/rad\"", "beta",

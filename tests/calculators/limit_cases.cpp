@@ -135,7 +135,10 @@ R_e = "235 MPa")",
     {"column.stepped",  // equal parts without weight are Euler's column
      "rho = \nparts = [{ l = \"3 m\", d = \"100 mm\" }, { l = \"2 m\", d = \"100 mm\", P = \"1 kN\" }]", "F_cr",
      pi* pi * 210e9 * (pi / 64 * 1e-4) / (10.0 * 10.0)},
-    {"column.effective_length", R"(c_1 = "0 N*m/rad")", "beta", 1.0},  // a pin
+    {"column.effective_length", R"(c_1 = "0 N*m/rad")", "beta", 1.0},                                     // a pin
+    {"column.effective_length", "end_1 = \"fixed\"\nc_1 = \nend_2 = \"free\"\nmode = 3", "beta_n", 0.4},  // 5/4 waves
+    {"column.effective_length", "end_1 = \"pinned\"\nc_1 = \nl = \"1 m\"\nE = \"200 GPa\"\nI = \"1 cm^4\"\nmode = 2",
+     "N_cr_n", 4 * pi* pi * 2000},
     {"column.effective_length", R"(c_1 = "1e9 kN*m/rad")", "beta",
      0.699155659780},  // built in: pi over the root of tan x = x
     {"column.buckling", "d_bore = \"30 mm\"", "N_cr",

@@ -1,4 +1,5 @@
 // Meanings of fields, beyond their dimension: defined for existing fields, at existing words of their choices.
+#include "calculators/column/member/length_factor.hpp"
 #include "calculators/gear/rated_mesh.hpp"
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/vessel/wall.hpp"
@@ -45,7 +46,7 @@ bool has_field(std::span<const FieldInfo> fields, const std::string& key) {
 bool is_of_one(const std::string& what) {
   return what == fatigue::notch_in_bending || what == fatigue::notch_in_torsion || what == speed_of_run ||
          what == moment_of_motor || what == inertia_of_flywheel || what == gear::flanks_ground ||
-         what == gear::flanks_not_ground || what == vessel::radius_when_open;
+         what == gear::flanks_not_ground || what == vessel::radius_when_open || what == column::factor_of_higher_mode;
 }
 
 }  // namespace

@@ -10,6 +10,10 @@
 
 namespace loadpath::column {
 
+/// Meanings of effective length factors: a column buckles in its first mode, unless that is prevented.
+inline constexpr auto factor_of_first_mode = "an effective length factor of the first buckling mode";
+inline constexpr auto factor_of_higher_mode = "an effective length factor of a higher buckling mode";
+
 /// The ends of a case as springs; both hinged for Ends::unsaid.
 Bar bar_of(Ends ends);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "calculators/column/codes/choices.hpp"
+#include "calculators/column/member/length_factor.hpp"
 #include "calculators/column/member/stability.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
@@ -177,8 +178,9 @@ constexpr auto rankine_and_secant_inputs() {
           .may_be_missing()};
 }
 
-/// Fields with bounds from a material.
-inline constexpr std::array member_meanings{Meaning{"sigma_c", crushing_stress}};
+/// Fields with bounds from a material, and factors of the mode in which a column buckles.
+inline constexpr std::array member_meanings{Meaning{"sigma_c", crushing_stress},
+                                            Meaning{"beta_y, beta_z", factor_of_first_mode}};
 
 /// Material of the bar, and its eccentricities.
 template <class Input>

@@ -48,23 +48,47 @@ void add_span(auto& stiffness, std::size_t node, const Span& s) {
   stiffness.add(t, v2, -s.cross), stiffness.add(v2, t2, -s.cross);
 }
 
-/// The number of critical forces below u.
+/// The number of critical forces below u. Each span is cut into `pieces`: two, of which none is critical between clamps
+/// where the span is, as the span itself is in its higher modes between hinges.
+template <std::size_t pieces>
 int criticals_below(const Bar& bar, double u) {
-  BandStiffness<most_supports + 2> stiffness;
-  const std::size_t last = bar.supports.size() + 1;
+  constexpr double cut = 0.3819660112501051;  // the golden section, no ratio of small numbers
+  BandStiffness<pieces*(most_supports + 1) + 1> stiffness;
+  const std::size_t last = pieces * (bar.supports.size() + 1);
   stiffness.size = 2 * (last + 1);
   int count = 0;
-  double x = 0.0;
-  for (std::size_t node = 0; node < last; ++node) {
-    const double next = node + 1 < last ? bar.supports[node] : 1.0;
-    const Span span = span_at(u, next - x);
+  const auto add = [&](std::size_t node, double length) {
+    const Span span = span_at(u, length);
     add_span(stiffness, node, span);
     count += span.clamped;
+  };
+  double x = 0.0;
+  for (std::size_t node = 0; node < last; node += pieces) {
+    const double next = node + pieces < last ? bar.supports[node / pieces] : 1.0;
+    const double first = pieces > 1 ? cut * (next - x) : next - x;
+    add(node, first);
+    if constexpr (pieces > 1) add(node + 1, next - x - first);
     x = next;
   }
-  for (std::size_t node = 1; node < last; ++node) stiffness.hold(2 * node);
+  for (std::size_t node = pieces; node < last; node += pieces) stiffness.hold(2 * node);
   add_ends(stiffness, bar.start, bar.end, last);
   return count + stiffness.factor();
+}
+
+constexpr double least_parameter = 1e-3;  // below: an effective length of more than 3000 l is a mechanism
+
+/// Bisection for the critical force of this number.
+template <std::size_t pieces>
+double parameter_of(const Bar& bar, int mode) {
+  double low = 1.0, high = 1.0;
+  while (criticals_below<pieces>(bar, high) < mode) high *= 2.0;
+  while (low > least_parameter && criticals_below<pieces>(bar, low) >= mode) low *= 0.5;
+  if (low <= least_parameter) return std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (criticals_below<pieces>(bar, middle) < mode ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
 }
 
 /// Whether no motion of the rigid bar is free.
@@ -73,8 +97,6 @@ bool is_held(const Bar& bar) {
   const std::size_t places = across(bar.start) + across(bar.end) + bar.supports.size();
   return places > 1 || (places == 1 && (bar.start.turning > 0.0 || bar.end.turning > 0.0));
 }
-
-constexpr double least_parameter = 1e-3;  // below: an effective length of more than 3000 l is a mechanism
 
 constexpr std::size_t parts = 48;  // elements of a bar in one span; at least 6 in each
 
@@ -93,17 +115,9 @@ std::vector<double> stations(const Bar& bar) {
 
 }  // namespace
 
-double buckling_parameter(const Bar& bar) {
+double buckling_parameter(const Bar& bar, int mode) {
   if (!is_held(bar)) return std::numeric_limits<double>::quiet_NaN();
-  double low = 1.0, high = 1.0;
-  while (criticals_below(bar, high) == 0) high *= 2.0;
-  while (low > least_parameter && criticals_below(bar, low) > 0) low *= 0.5;
-  if (low <= least_parameter) return std::numeric_limits<double>::quiet_NaN();
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (criticals_below(bar, middle) == 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return mode == 1 ? parameter_of<1>(bar, mode) : parameter_of<2>(bar, mode);
 }
 
 /// Inverse iteration just below the critical force, where the stiffness is nearly singular only in the mode.

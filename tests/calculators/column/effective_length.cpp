@@ -57,6 +57,58 @@ TEST_SUITE("column effective length") {
     }
   }
 
+  TEST_CASE("higher modes, against their closed forms") {
+    constexpr double tan_u[] = {4.493409457909064, 7.725251836937707, 10.904121659428899};  // roots of tan u = u
+    const column::End pin{held, 0.0}, clamp{held, held}, free{0.0, 0.0}, guide{0.0, held};
+    for (int n = 1; n <= 20; ++n) {
+      CHECK(rel(column::buckling_parameter({pin, pin, {}}, n), n * pi) < 1e-12);
+      CHECK(rel(column::buckling_parameter({clamp, free, {}}, n), (n - 0.5) * pi) < 1e-12);
+      CHECK(rel(column::buckling_parameter({clamp, guide, {}}, n), n * pi) < 1e-12);
+      CHECK(rel(column::buckling_parameter({pin, guide, {}}, n), (n - 0.5) * pi) < 1e-12);
+    }
+    for (int n = 1; n <= 3; ++n) {
+      CHECK(rel(column::buckling_parameter({clamp, pin, {}}, n), tan_u[n - 1]) < 1e-12);
+      CHECK(rel(column::buckling_parameter({clamp, clamp, {}}, 2 * n - 1), 2 * n * pi) < 1e-12);    // symmetric
+      CHECK(rel(column::buckling_parameter({clamp, clamp, {}}, 2 * n), 2 * tan_u[n - 1]) < 1e-12);  // antisymmetric
+    }
+    CHECK(rel(column::buckling_parameter({pin, pin, {0.5}}, 1), 2 * pi) < 1e-12);
+    CHECK(rel(column::buckling_parameter({pin, pin, {0.5}}, 2), 2 * tan_u[0]) <
+          1e-12);  // two bars clamped at the middle
+    CHECK(rel(column::buckling_parameter({pin, pin, {0.5}}, 3), 4 * pi) < 1e-12);
+  }
+
+  TEST_CASE("the shape of a higher mode: n half waves between hinges") {
+    const Bar bar{{held, 0}, {held, 0}, {}};
+    for (int n = 2; n <= 5; ++n) {
+      const column::Shape shape = column::buckled_shape(bar, column::buckling_parameter(bar, n));
+      for (std::size_t i = 0; i < shape.x.size(); ++i)
+        CHECK(std::abs(std::abs(shape.w[i]) - std::abs(std::sin(n * pi * shape.x[i]))) < 0.02);  // 48 points
+    }
+  }
+
+  TEST_CASE("a higher mode is shown beside the first, which stays what it is") {
+    column::EffectiveLength::Input in;
+    in.l = 2.0 * m;
+    in.E = 210.0 * GPa;
+    in.I = from_si<SecondMoment>(1e-8);
+    in.end_1 = in.end_2 = column::EffectiveLength::End::pinned;
+    const auto first = solve(in);
+    CHECK(std::isnan(first.beta_n));
+    in.mode = 3;
+    const auto third = solve(in);
+    CHECK(third.beta == first.beta);
+    CHECK(rel(in_si(third.N_cr_n), 9 * in_si(first.N_cr)) < 1e-12);
+    CHECK(rel(third.beta_n, 1.0 / 3) < 1e-12);
+  }
+
+  TEST_CASE("the factor of a higher mode is refused where the column buckles in its first one") {
+    const std::string text =
+        "calculator = \"column.buckling\"\nP = \"4 kN\"\nl = \"1 m\"\nd = \"45 mm\"\nbeta_y = \"=rod.beta_n\"\n"
+        "beta_z = 1\nE = \"210 GPa\"\nmethod = \"euler\"\nn_st = 3\nsigma_P = \"270 MPa\"\n\n[rod]\n"
+        "calculator = \"column.effective_length\"\nl = \"1 m\"\nend_1 = \"fixed\"\nend_2 = \"pinned\"\nmode = 2\n";
+    CHECK(complaints(text).find("effective length factor of a higher buckling mode") != std::string::npos);
+  }
+
   TEST_CASE("equal spans between hinges: the effective length is the span") {
     CHECK(rel(beta({{held, 0}, {held, 0}, {0.25, 0.5, 0.75}}), 0.25) < 1e-12);
   }

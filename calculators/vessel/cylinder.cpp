@@ -83,6 +83,22 @@ Length rings(const Input& in, Stress sigma_all, Tracer& trace) {
                     "rings that could take the full hoop force, as [B24] assumes");
 }
 
+/// Where the hoop stress comes from: the forces on a small element of the wall, and the pull of the ends.
+template <class Tracer>
+void balance(const Input& in, const Cylinder::Result& r, Tracer& trace) {
+  const bool rings_help = in.ends == Ends::ringed;
+  if (rings_help || !(r.p_i > 0.0 * MPa) || !is_set(r.sigma_o)) return;
+  const double theta_e = trace.angle("theta_e", pi / 180.0, "angle of a small element of the wall");
+  const Length z_e = trace.value("z_e", 1.0 * mm, "length of the element along the axis");
+  STEP(F_p, r.p_i * r.R_m * theta_e * z_e, "pressure on the element, outwards, [B24]");
+  STEP(F_o, r.sigma_o * r.delta_c * z_e, "hoop force on each of its two sides");
+  STEP(F_i, F_o * theta_e, "both inwards: each is inclined by half of the small angle, and the meridian is straight");
+  STEP(x_F, F_i / F_p, "equilibrium of the element normal to the wall: p R theta_e z_e = sigma_o delta theta_e z_e");
+  if (in.ends == Ends::open || has_liquid(in)) return;
+  STEP(F_e, pi * pow<2>(r.R_m) * in.p, "pressure on an end, along the axis");
+  STEP(F_M, 2.0 * pi * r.R_m * r.delta_c * r.sigma_M, "force of the wall: axial equilibrium of the end, [B24] (11)");
+}
+
 /// The thicknesses of the book: each stress by itself.
 template <class Tracer>
 void by_the_book(const Input& in, Cylinder::Result& r, Tracer& trace) {
@@ -154,6 +170,7 @@ Cylinder::Result Cylinder::evaluate(const Input& in, Tracer& trace) {
     if (in.ends == Ends::ringed) r.a_r = rings(in, sigma_all, tracer);
   };
   assess(in, r, in.R, make, told, trace);
+  balance(in, r, trace);
   by_the_book(in, r, trace);
   check_rings(in, r, trace);
   flat_ends(in, r, trace);

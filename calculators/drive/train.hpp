@@ -99,7 +99,7 @@ stages = [
       Mode<Input>{"efficiency", "efficiency of the worm gear", &loads_a_worm}.judged_by("stages.x_eta"),
       Mode<Input>{"strength", "strength of unchecked stages",
                   [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }}
-          .assessed_beside("gear.pair, gear.planetary, chain.roller, belt.v, belt.flat"),
+          .assessed_beside("gear.pair, gear.planetary, chain.roller, belt.v, belt.flat, drive.friction_wheels"),
       Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special()};
 
   template <class Tracer>

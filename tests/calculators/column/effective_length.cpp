@@ -86,7 +86,7 @@ TEST_SUITE("column effective length") {
     }
   }
 
-  TEST_CASE("a higher mode is shown beside the first, which stays what it is") {
+  TEST_CASE("a higher mode is shown in addition to the first, which stays what it is") {
     column::EffectiveLength::Input in;
     in.l = 2.0 * m;
     in.E = 210.0 * GPa;

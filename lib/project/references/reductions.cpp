@@ -26,6 +26,14 @@ bool is_of_loads(const Dimension& dimension) {
 
 const Dimension inertia = Dimension::of(2, 1, 0);
 
+/// The speed at which a part turns or slides: of a series, its wear, its life or its centrifugal forces follow from the
+/// largest one.
+bool is_speed_of_part(const Operand& operand) {
+  const Dimension dimension = operand.leaf.field->dimension.without_angle();
+  const std::string key = operand.path.substr(operand.path.rfind('.') + 1);
+  return (key == "n" && dimension == Dimension::of(0, 0, -1)) || (key == "v" && dimension == Dimension::of(1, 0, -1));
+}
+
 /// The same, and a moment of inertia to be accelerated.
 bool is_of_demand(const Dimension& dimension) { return is_of_loads(dimension) || dimension == inertia; }
 
@@ -123,7 +131,9 @@ class ReductionCheck {
       loads_.push_back({operand.path, turned_over_message(operand)});
     if (is_accepted(operand, r) && is_share(operand) && !is_reduction_justified(step_, operand.path))
       loads_.push_back({operand.path, share_message(operand)});
-    const bool concerned = operand.leaf.field->is_load || (r.of_load && r.left != Left::peak);
+    const bool is_reduced_here = r.text.find('(') != std::string::npos;
+    const bool is_speed = is_speed_of_part(operand) && is_reduced_here && r.left != Left::peak;
+    const bool concerned = operand.leaf.field->is_load || is_speed || (r.of_load && r.left != Left::peak);
     if (!concerned || is_accepted(operand, r) || is_reduction_justified(step_, operand.path)) return;
     loads_.push_back({operand.path, message(operand, r)});
   }
@@ -317,8 +327,10 @@ class ReductionCheck {
           "or {4}",
           path, r.text.empty() ? operand.text : r.text, r.argument.empty() ? operand.text : r.argument, reason);
     const std::string series = r.argument.empty() ? "the series itself" : "=" + r.argument;
-    return say("{1} is {2}, less than the load over the cycle: write {3}, or {4}", path,
-               r.text.empty() ? operand.text : r.text, series, reason);
+    const std::string taken = r.text.empty() ? operand.text : r.text;
+    if (is_speed_of_part(operand))
+      return say("{1} is {2}, less than the speed over the cycle: write {3}, or {4}", path, taken, series, reason);
+    return say("{1} is {2}, less than the load over the cycle: write {3}, or {4}", path, taken, series, reason);
   }
 
   Step& step_;

@@ -4,6 +4,7 @@
 #include "lib/project/run/judgement.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -47,26 +48,67 @@ bool is_load_told(const Evaluation& evaluation) {
   return told;
 }
 
-/// A pass without load is not an assessment: a reference may give none by mistake. A part utilised by loads other
-/// than the declared ones, a liquid, its own speed, is loaded.
-void add_missing_load(const Evaluation& evaluation, const Results& results,
-                      const std::vector<account::Verdict>& verdicts, account::Modes& modes) {
-  const auto is_strength = [](const ModeInfo& mode) { return mode.kind == ModeKind::strength; };
-  const auto is_utilised = [](const account::Verdict* row) { return row->utilisation && *row->utilisation > 0.0; };
-  const auto bears = [&](const ModeInfo& mode) {
-    const auto rows = rows_of(mode, verdicts);
-    return is_strength(mode) && !mode.is_limit && std::any_of(rows.begin(), rows.end(), is_utilised);
-  };
-  const auto& all = evaluation.calculator().modes;
-  if (results.series.empty() || !is_load_told(evaluation) || is_loaded(evaluation.inputs())) return;
-  if (std::none_of(all.begin(), all.end(), is_strength) || std::any_of(all.begin(), all.end(), bears)) return;
+/// Whether a mode of strength is utilised: a part under loads other than the declared ones, a liquid, its own speed, is
+/// loaded.
+bool is_utilised(const ModeInfo& mode, const std::vector<account::Verdict>& verdicts) {
+  const auto rows = rows_of(mode, verdicts);
+  return mode.kind == ModeKind::strength && !mode.is_limit &&
+         std::any_of(rows.begin(), rows.end(),
+                     [](const account::Verdict* row) { return row->utilisation && *row->utilisation > 0.0; });
+}
+
+account::Mode load_to_give(const Evaluation& evaluation, Message note) {
   account::Mode mode;
   mode.step = evaluation.step().name();
   mode.subject = account::Subject::input;
   mode.id = "load";
   mode.title = say("non-zero load");
-  mode.note = say("all loads are zero: no strength assessment");
+  mode.note = std::move(note);
+  return mode;
+}
+
+/// A pass without load is not an assessment: a reference may give none by mistake. A slenderness within its limit is no
+/// strength either: without any load, nothing that a load decides was assessed.
+void add_missing_load(const Evaluation& evaluation, const Results& results,
+                      const std::vector<account::Verdict>& verdicts, account::Modes& modes) {
+  const auto& all = evaluation.calculator().modes;
+  const auto bears = [&](const ModeInfo& mode) { return is_utilised(mode, verdicts); };
+  const auto is_limited = [&](const ModeInfo& mode) { return mode.is_limit && !rows_of(mode, verdicts).empty(); };
+  if (results.series.empty() || is_loaded(evaluation.inputs()) || std::any_of(all.begin(), all.end(), bears)) return;
+  if (is_load_told(evaluation)) {
+    const auto is_strength = [](const ModeInfo& mode) { return mode.kind == ModeKind::strength; };
+    if (std::any_of(all.begin(), all.end(), is_strength))
+      modes.push_back(load_to_give(evaluation, say("all loads are zero: no strength assessment")));
+    return;
+  }
+  if (std::none_of(all.begin(), all.end(), is_limited)) return;
+  account::Mode mode = load_to_give(evaluation, say("no load is given: no strength assessment"));
+  for (const ModeInfo& info : all) {
+    if (info.kind != ModeKind::strength || info.is_limit || !mode.wants.empty()) continue;
+    const auto is_asked = [&](const FieldInfo& check) { return evaluation.is_asked(check); };
+    mode.wants = needs_of(info, *evaluation.calculator().result, is_asked).wants;
+  }
   modes.push_back(std::move(mode));
+}
+
+/// A temperature that only [values] state, of a step without a mode of strength that could show it: a fatigue limit.
+void add_temperature(const Evaluation& evaluation, account::Modes& modes) {
+  const auto& all = evaluation.calculator().modes;
+  if (std::any_of(all.begin(), all.end(), [](const ModeInfo& m) { return m.kind == ModeKind::strength; })) return;
+  const FieldInfo* const heat = find_field(evaluation.calculator().input->fields, "T");
+  if (heat == nullptr || heat->dimension.twelfths[Dimension::temperature] == 0) return;
+  for (const ReducedLoad& value : evaluation.step().loads().reduced) {
+    if (value.path != "T") continue;
+    account::Mode mode;
+    mode.step = evaluation.step().name();
+    mode.subject = account::Subject::input;
+    mode.id = "stated_temperature";
+    mode.title = say("temperature of the part");
+    mode.kind = ModeKind::shape;
+    mode.note = value.message;
+    modes.push_back(std::move(mode));
+    return;
+  }
 }
 
 /// A value that no check here uses is passed on to other steps, whose results with it do not assess it.
@@ -115,6 +157,7 @@ void add_modes(const Evaluation& evaluation, const Results& results, const Weigh
                const std::vector<account::Verdict>& verdicts, account::Modes& modes) {
   add_missing_input(evaluation, results, modes);
   add_missing_load(evaluation, results, verdicts, modes);
+  add_temperature(evaluation, modes);
   add_handed_on(evaluation, weighed, modes);
   const Calculator& calculator = evaluation.calculator();
   for (std::size_t k = 0; k < calculator.modes.size(); ++k) {

@@ -1,5 +1,6 @@
 #include "lib/project/references/machine/machine.hpp"
 
+#include "lib/project/references/agreement/agreement.hpp"
 #include "lib/project/references/machine/chained_drives.hpp"
 #include "lib/project/references/machine/idle_steps.hpp"
 #include "lib/project/references/machine/left_out.hpp"
@@ -30,7 +31,7 @@ std::vector<ReducedLoad> contradictions(const Step& step, const Project& project
        {values_of_runs(step, project), factors_of_takers(step, project), lives_on_shaft(step, project),
         values_of_ratings(step, project), values_at_middle(step), values_of_same_part(step, project),
         powers_of_chained(step, project), values_of_seats(step, project), values_of_unlinked(step, project),
-        values_of_vessels(step, project), stated_and_not_taken(step, project)})
+        values_of_vessels(step, project), values_in_disagreement(step, project), stated_and_not_taken(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

@@ -1,0 +1,14 @@
+// Inputs that another step, or another input of the same step, contradicts: torques and powers of one drive, sizes of
+// one part, surfaces, excitations.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// All of them, as far as the steps are solved.
+std::vector<ReducedLoad> values_in_disagreement(const Step& step, const Project& project);
+
+}  // namespace loadpath::project

@@ -1,0 +1,60 @@
+#include "lib/project/references/agreement/excitations.hpp"
+
+#include "lib/project/references/origins.hpp"
+#include "lib/project/references/references.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace loadpath::project {
+
+namespace {
+
+/// Whether an order is named as the mesh of teeth: "teeth", "tooth_mesh", "mesh_1".
+bool is_of_teeth(const std::string& name) {
+  return name.find("teeth") != std::string::npos || name.find("tooth") != std::string::npos ||
+         name.find("mesh") != std::string::npos;
+}
+
+/// The teeth of the gear that a load of a shaft comes from: "gears.z_2" of "=gears.gear_2"; NaN if it is no gear.
+double teeth_of(const Taken& record, const Project& project) {
+  if (!record.path.ends_with(".load")) return std::nan("");
+  const auto [pair, gear] = split_step(record.source);
+  if (gear != "gear_1" && gear != "gear_2") return std::nan("");
+  return magnitude_at(project, pair + ".z_" + gear.substr(5));
+}
+
+bool is_multiple(double h, double z) { return h >= z - 1e-6 && std::abs(h / z - std::round(h / z)) <= 1e-6; }
+
+std::string listed(const std::vector<double>& teeth) {
+  std::string text;
+  for (const double z : teeth) text += (text.empty() ? "" : ", ") + format_number(z, 4);
+  return text;
+}
+
+}  // namespace
+
+std::vector<ReducedLoad> excitations_of(const Step& step, const Project& project) {
+  std::vector<ReducedLoad> found;
+  std::vector<double> teeth;
+  for (const Taken& record : step.input().reading.records) {
+    const double z = teeth_of(record, project);
+    if (!std::isnan(z)) teeth.push_back(z);
+  }
+  if (teeth.empty()) return found;
+  for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf&) {
+    if (!path.starts_with("orders") || !path.ends_with(".h")) return;
+    const Leaf name = find_leaf(step.input().reading.record, prefix_of(path) + "name");
+    const double h = own_value(step, project, path);
+    if (!name || std::isnan(h) || !is_of_teeth(word_of(name))) return;
+    if (std::ranges::any_of(teeth, [&](double z) { return is_multiple(h, z); })) return;
+    found.push_back({"orders", say("{1} = {2}, and the gears on this shaft have {3} teeth: write the number of teeth, "
+                                   "or because.orders = \"...\"",
+                                   path, format_number(h, 4), listed(teeth))});
+  });
+  return found;
+}
+
+}  // namespace loadpath::project

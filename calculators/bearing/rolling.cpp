@@ -179,7 +179,10 @@ void running(const Input& in, Stages& all, Result& r, Tracer& trace) {
   const double c = trace.value("c", has_balls(in.kind) ? 0.01 : 0.02, has_balls(in.kind) ? "balls" : "rollers");
   STEP(P_need, is_set(in.P_min) ? in.P_min : c * in.C,
        is_set(in.P_min) ? "manufacturer's value" : "rule of thumb, [SKF-rolling]");
-  STEP_TO(r, x_min, P_low / P_need, "rolls, and does not skid");
+  // Below a rule of thumb it may still roll: preloaded, or by the formula of the manufacturer.
+  if (is_set(in.P_min) || P_low >= (1.0 - 1e-9) * P_need) {
+    STEP_TO(r, x_min, P_low / P_need, "rolls, and does not skid");
+  }
   if (!is_set(in.n_max) || !is_set(Rolling::highest_speed(in))) return;
   const AngularSpeed n_top = trace.speed("n_top", Rolling::highest_speed(in), "highest speed");
   STEP_TO(r, u_n, n_top / in.n_max, "compared with the manufacturer's value");

@@ -355,7 +355,12 @@ s_0 = 2
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "rating life (raceway fatigue)", &runs}.judged_by("u_L, x_P, x_f"),
       Mode<Input>{"static", "static safety factor (permanent indentation)", &always<Input>}.judged_by("u_0"),
-      Mode<Input>{"skidding", "minimum load (skidding)", &runs}.judged_by("x_min").of_shape(),
+      Mode<Input>{"skidding", "minimum load (skidding)", &runs}
+          .judged_by("x_min")
+          .wanting("P_min")
+          .asking("below the rule of thumb, 0.01 C (balls) or 0.02 C (rollers): give P_min of the manufacturer, or "
+                  "accept.skidding = \"...\" (preload)")
+          .of_shape(),
       Mode<Input>{"speed", "limiting speed", &runs_fast}.judged_by("u_n"),
       Mode<Input>{"axial", "axial load capability of the type", &always<Input>}.judged_by("F_ao").of_shape(),
       Mode<Input>{"location", "axial location of the shaft", &locates_nothing}.advising(

@@ -7,6 +7,7 @@
 #include "calculators/column/member/methods.hpp"
 #include "calculators/column/torsional.hpp"
 #include "lib/calculator/calculator_of.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 
 #include <algorithm>
 
@@ -189,8 +190,21 @@ const char* source_of(const Input& in, Method by) {
   return "by the method that the constants given belong to, as none is named";
 }
 
-/// The limits of class 3 are those of steel: of another material nothing is known of its walls. In tension none of them
-/// buckles.
+/// The wall of a tube of another metal buckles by its modulus, as [EN1993-1-4] has it for stainless steels; that of
+/// aluminium is stricter than class B of [EN1999-1-1], 6 sqrt(250 MPa/R_e) for sqrt(D/t). Plastics and timber are not
+/// covered.
+template <class Tracer>
+void judge_tube(const Input& in, double of_steel, Result& r, Tracer& trace) {
+  const double ratio_of_steel = trace.value("ratio_of_steel", of_steel, "d/t_w over 90 x 235 MPa/R_e, class 3");
+  STEP_TO(r, r_class, ratio_of_steel * (210.0 * GPa) / in.E, "eps^2 = 235 MPa/R_e x E/210 GPa, [EN1993-1-4]");
+}
+
+bool is_tube_of_metal(const Input& in) {
+  return is_set(plates_of(in).d) && !is_solid(in) && in_si(in.E) >= 1e9 * least_E && in_si(in.E) <= 1e9 * most_E;
+}
+
+/// The limits of class 3 are those of steel: of another material nothing is known of flat walls. In tension none of
+/// them buckles.
 template <class Tracer>
 void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
   const double ratio = is_set(in.R_e) ? class_ratio(plates_of(in), in.R_e) : unset<double>;
@@ -201,6 +215,7 @@ void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
     return;
   }
   if (!is_steel(in) && has_modulus_of_steel(in)) return;
+  if (ratio > 0.0 && !has_modulus_of_steel(in) && is_tube_of_metal(in)) return judge_tube(in, ratio, r, trace);
   if (ratio > 0.0) {
     STEP_TO(r, x_E, in.E / (210.0 * GPa), "the limits of the walls are those of steel");
   }

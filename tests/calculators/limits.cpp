@@ -143,7 +143,7 @@ const Side bars[] = {
     {"column.buckling", "x_t", over, "N", R"("540 kN")", R"("541 kN")", "P = "},
     {"column.buckling", "u_t", over, "N", R"("270 kN")", R"("271 kN")", "P = \nn_t = 2"},
     {"column.buckling", "u_e", over, "P", R"("32.7 kN")", R"("32.8 kN")", "method = \"secant\"\ne_y = \"5 mm\""},
-    {"column.buckling", "x_E", outside, "E", R"("179 GPa")", R"("178 GPa")", R"(d_bore = "40 mm")"},
+    {"column.buckling", "x_E", outside, "E", R"("179 GPa")", R"("178 GPa")", "d = \nsection = \"HEB 200\""},
     {"column.beam_column", "u", over, "P", R"("1167 kN")", R"("1168 kN")"},
     {"column.beam_column", "u_s", over, "M_z", R"("60.5 kN*m")", R"("60.6 kN*m")", R"(P = "10 kN")"},
     {"column.beam_column", "u_y", over, "M_y_1", R"("148 kN*m")", R"("149 kN*m")", "M_z = "},
@@ -440,6 +440,7 @@ const Side motion[] = {
 };
 
 const char* const radial = "f_0 = \nF_a = ";
+const char* const radial_by_maker = "f_0 = \nF_a = \nP_min = \"290.5 N\"";
 const char* const tapered = "f_0 = \nkind = \"tapered_roller\"\ne = 0.37\nY = 1.6\nY_0 = 0.9";  // F_i = 0.781 kN
 
 const char* const on_seat =
@@ -452,7 +453,7 @@ const Side bearings[] = {
     {"bearing.rolling", "u_L", over, "L_h", R"("15800 h")", R"("15850 h")"},
     {"bearing.rolling", "x_P", outside, "F_r", R"("14.5 kN")", R"("14.6 kN")", radial},
     {"bearing.rolling", "u_0", over, "s_0", "7.1", "7.2"},
-    {"bearing.rolling", "x_min", over, "F_r", R"("291 N")", R"("290 N")", radial},
+    {"bearing.rolling", "x_min", over, "F_r", R"("291 N")", R"("290 N")", radial_by_maker},
     {"bearing.rolling", "u_n", over, "n_max", R"("900 rpm")", R"("899 rpm")"},
     {"bearing.rolling", "u_a", over, "F_a", R"("8.94 kN")", R"("8.96 kN")", "f_0 = \ne = 0.44\nY = 1"},
     {"bearing.rolling", "x_i", outside, "F_a", R"("0.79 kN")", R"("0.78 kN")", tapered},
@@ -590,7 +591,7 @@ const Side links[] = {
     {"link.member", "r_class", outside, "R_e", R"("338 MPa")", R"("339 MPa")",
      "h = \nb = \nsection = \"IPE 300\"\nkind = \"rolled_I\""},
     {"link.member", "x_E", outside, "E", R"("179 GPa")", R"("178 GPa")",
-     "h = \nb = \nd = \"60 mm\"\nd_bore = \"40 mm\""},
+     "h = \nb = \nsection = \"HEB 200\"\nkind = \"rolled_I\""},
 };
 
 const std::span<const Side> groups[] = {pins, links,   twists, fits,    keys,    vessels, sections,

@@ -104,6 +104,18 @@ n_t = 2
     CHECK(of(box(10.0, "210 GPa"), "local") == "pass");
   }
 
+  TEST_CASE("the wall of a tube of aluminium by its modulus: d/t up to 90 x 235/R_e x E/210 GPa") {
+    const auto tube = [](const std::string& d_bore, const std::string& E = "70 GPa") {
+      return "R_e = \"240 MPa\"\nsigma_P = \"160 MPa\"\nd = \"40 mm\"\nd_bore = \"" + d_bore + "\"\nE = \"" + E +
+             "\"\nP = \"3 kN\"\nl = \"1.2 m\"\nends = \"pinned_pinned\"\nmaterial_class = \"other\"";
+    };
+    const ExampleStep thick("column.buckling", tube("32 mm"));
+    CHECK(std::abs(thick("r_class") - 10.0 / (90.0 * 235.0 / 240.0 / 3.0)) < 1e-9);
+    CHECK(of(tube("32 mm"), "local") == "pass");
+    CHECK(of(tube("37.4 mm"), "local") == "not-covered");          // d/t = 30.8 of 29.4
+    CHECK(of(tube("32 mm", "12 GPa"), "local") == "not-covered");  // timber
+  }
+
   TEST_CASE("A18: the classes of steel say nothing of aluminium, nor do its buckling curves") {
     CHECK(of(box(10.0, "70 GPa"), "local") == "not-covered");
     CHECK(of(box(10.0, "210 GPa") + "material_class = \"other\"", "local") == "not-judged");

@@ -246,10 +246,12 @@ sigma_adm_2 = "200 MPa"
                   [](const Input& in) { return carries(in) && in.K_f == 1.0 ? shown_by(is_set(in.n_1)) : Applies::no; }}
           .wanting("K_f")
           .left_to("gear.rating", "mesh.root_1, mesh.root_2"),
-      Mode<Input>{"pitting_1", "pitting, gear 1", [](const Input& in) { return where(carries(in)); }}.left_to(
-          "gear.rating", "mesh.pitting_1"),
-      Mode<Input>{"pitting_2", "pitting, gear 2", [](const Input& in) { return where(carries(in)); }}.left_to(
-          "gear.rating", "mesh.pitting_2"),
+      Mode<Input>{"pitting_1", "pitting, gear 1", [](const Input& in) { return where(carries(in)); }}
+          .left_to("gear.rating", "mesh.pitting_1")
+          .where_handed_over(),
+      Mode<Input>{"pitting_2", "pitting, gear 2", [](const Input& in) { return where(carries(in)); }}
+          .left_to("gear.rating", "mesh.pitting_2")
+          .where_handed_over(),
       Mode<Input>{"contact", "contact ratio", &always<Input>}.judged_by("eps_gamma").of_shape(),
       Mode<Input>{"flanks", "involute form of the flanks", &always<Input>}.judged_by("q_a, x_2").of_shape(),
       Mode<Input>{"undercut", "undercut", &always<Input>}.judged_by("x_free").of_shape(),

@@ -35,6 +35,7 @@ struct ModeInfo {
   const char* add = "";      // calculators of which an additional step assesses it: "shaft.key, shaft.spline"
   bool is_limit =
       false;  // the same at any load, as a slenderness: it governs where it fails, or where nothing else does
+  bool by_record = false;   // without the record that `judge` takes, no calculator assesses it
   bool by_service = false;  // unseen, it applies if the source of the load rotates or the load varies
   bool by_rest = false;     // unseen, it applies where a load has companions that the step does not take
 };
@@ -63,6 +64,12 @@ struct Mode : ModeInfo {
     Mode mode = *this;
     mode.judge = calculator;
     mode.taken = modes;
+    return mode;
+  }
+  /// After left_to: a part that hands over no such record, as a ring gear no mesh, is outside the scope.
+  [[nodiscard]] constexpr Mode where_handed_over() const {
+    Mode mode = *this;
+    mode.by_record = true;
     return mode;
   }
   /// After left_to: also assessed by steps of a calculator that take one of these series, none of the others being

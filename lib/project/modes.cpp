@@ -212,11 +212,17 @@ void add_words(std::string_view words, std::string& to) {
   if (!words.empty() && to.find(words) == std::string::npos) to += (to.empty() ? "" : ", ") + std::string(words);
 }
 
-/// Whether a mode of strength, or one of service whose limit is given, rests on a load that is less than its series
-/// (lib/project/references/reductions.hpp).
+/// Whether a mode of strength, or one of service with a limit, rests on a load that is less than its series.
 bool is_doubtful(const Step& step, const ModeInfo& info, const CheckNeeds& needs) {
-  const bool is_limited = info.kind == ModeKind::service && needs.needs_checks && needs.wants.empty();
-  return (info.kind == ModeKind::strength || is_limited) && !step.loads().reduced.empty();
+  const bool is_bounded = info.kind == ModeKind::service && needs.needs_checks && needs.wants.empty();
+  return (info.kind == ModeKind::strength || is_bounded) && !step.loads().reduced.empty();
+}
+
+/// A mode that no calculator can assess, as the part does not hand over the record.
+void leave_out_of_scope(const ModeInfo& left, const Step& part, account::Mode& mode) {
+  const std::string taken = left.taken;
+  if (part.has_values(taken.substr(0, taken.find('.')))) return;
+  mode.judge.clear(), mode.note = {}, mode.is_assessable = false;
 }
 
 /// Whether a mode waits for the reason of an input that goes with the record: a step that takes this assesses the same
@@ -246,7 +252,10 @@ void settle_left(Project& project) {
       if (info == nullptr || *info->judge == '\0' || !waits || is_contested(mode, *info, step)) continue;
       auto judges = judges_of(*info, step, project);
       if (judges.empty() && *info->counter != '\0') judges = counters_of(*info, step, project);
-      if (!judges.empty()) settle(mode, judges);
+      if (!judges.empty())
+        settle(mode, judges);
+      else if (info->by_record && mode.state == State::not_judged && mode.wants.empty())
+        leave_out_of_scope(*info, step, mode);
     }
   }
 }
@@ -292,8 +301,8 @@ account::Unjudged unjudged_of(const Step& step, const ModeInfo& info, const Chec
     by.state[static_cast<std::size_t>(applies)] = account::number(state);
   }
   // A check passed under a load without its factor may fail under the full load.
-  const bool lacks = info.kind == ModeKind::strength && !step.loads().lacking_factor.empty();
-  if (lacks) by.passed = account::number(State::not_judged);
+  if (info.kind == ModeKind::strength && !step.loads().lacking_factor.empty())
+    by.passed = account::number(State::not_judged);
   return by;
 }
 

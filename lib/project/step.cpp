@@ -83,6 +83,15 @@ std::vector<Member> Step::members(const std::string& path) const {
   return members;
 }
 
+bool Step::has_values(const std::string& path) const {
+  const auto all = members(path);
+  return std::any_of(all.begin(), all.end(), [&](const Member& member) {
+    const Value* const known = member.is_word ? nullptr : value(member.path);
+    return known != nullptr &&
+           std::any_of(known->si.begin(), known->si.end(), [](double si) { return !std::isnan(si); });
+  });
+}
+
 std::string Step::word(const std::string& path) const {
   if (const auto found = rows_found_.find(path); found != rows_found_.end()) return found->second;
   if (const auto named = input_.rows.find(path); named != input_.rows.end()) return named->second.text;

@@ -150,6 +150,8 @@ class Step {
   [[nodiscard]] virtual const FieldInfo* field(const std::string& path) const;
   /// The members of a record of the step: "gear_2", "links.rod"; empty if there is none of that name.
   [[nodiscard]] virtual std::vector<Member> members(const std::string& path) const;
+  /// Whether any member of a record has a value; words do not count.
+  [[nodiscard]] bool has_values(const std::string& path) const;
   /// Full paths of the other loads on the part that takes the value at `path`.
   [[nodiscard]] virtual std::vector<std::string> companions_of(const std::string& path) const;
   /// Fills the account; series that are not requested may have no values. A computed value that its field refuses

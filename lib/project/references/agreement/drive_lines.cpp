@@ -24,6 +24,11 @@ bool is_run_speed(std::string_view what) { return what == speed_of_run; }
 bool is_run_moment(std::string_view what) { return what == moment_of_motor; }
 bool is_flywheel_inertia(std::string_view what) { return what == inertia_of_flywheel; }
 
+/// The shafts of a mechanism have a torque over the cycle, which a flywheel evens out.
+bool is_train(const Step& step) {
+  return step.input().calculator != nullptr && std::string_view(step.input().calculator->id) == "drive.train";
+}
+
 /// A shaft of the run: its torque, and the paths that others take it by.
 struct LineShaft {
   std::string step;
@@ -70,6 +75,8 @@ class LineCheck {
 
   /// The shaft of a train that has the speed of the run, "train.shafts[1]"; none without its torque.
   void add_shafts(const std::string& train, double share, std::vector<LineShaft>& all) const {
+    const Step* const step = project_.find(train);
+    if (step == nullptr || !is_train(*step)) return;
     for (int k = 1; k <= most_shafts; ++k) {
       const std::string shaft = train + ".shafts[" + std::to_string(k) + "].";
       const double n = std::abs(magnitude_at(project_, shaft + "n")), T = std::abs(magnitude_at(project_, shaft + "T"));
@@ -88,6 +95,7 @@ class LineCheck {
     for (const std::string& train : steps_named_in(run_.input().reading)) add_shafts(train, slip, named);
     if (!named.empty()) return named;
     for (const auto& other : project_.steps) {
+      if (!is_train(*other)) continue;
       const double n = std::abs(magnitude_at(project_, other->name() + ".shafts[1].n"));
       if (std::abs(speed_ - n) <= digits * n) add_shafts(other->name(), digits, others);
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -38,22 +39,31 @@ std::string listed(const std::vector<double>& teeth) {
 
 std::vector<ReducedLoad> excitations_of(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  std::vector<double> teeth;
+  std::vector<double> teeth, orders;
   for (const Taken& record : step.input().reading.records) {
     const double z = teeth_of(record, project);
     if (!std::isnan(z)) teeth.push_back(z);
   }
   if (teeth.empty()) return found;
+  std::vector<std::pair<std::string, double>> of_teeth;
   for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf&) {
     if (!path.starts_with("orders") || !path.ends_with(".h")) return;
-    const Leaf name = find_leaf(step.input().reading.record, prefix_of(path) + "name");
     const double h = own_value(step, project, path);
-    if (!name || std::isnan(h) || !is_of_teeth(word_of(name))) return;
-    if (std::ranges::any_of(teeth, [&](double z) { return is_multiple(h, z); })) return;
-    found.push_back({"orders", say("{1} = {2}, and the gears on this shaft have {3} teeth: write the number of teeth, "
-                                   "or because.orders = \"...\"",
-                                   path, format_number(h, 4), listed(teeth))});
+    const Leaf name = find_leaf(step.input().reading.record, prefix_of(path) + "name");
+    orders.push_back(h);
+    if (!std::isnan(h) && name && is_of_teeth(word_of(name))) of_teeth.emplace_back(path, h);
   });
+  // Harmonics of a mesh come with the mesh itself.
+  const auto is_given = [&](double z) {
+    return std::ranges::any_of(orders, [&](double h) { return std::abs(h - z) <= 1e-6; });
+  };
+  for (const auto& [path, h] : of_teeth) {
+    const double order = h;
+    if (std::ranges::any_of(teeth, [&](double z) { return is_multiple(order, z) && is_given(z); })) continue;
+    found.push_back({"orders", say("{1} = {2}, and the gears on this shaft have {3} teeth: give that order, or "
+                                   "because.orders = \"...\"",
+                                   path, format_number(h, 4), listed(teeth))});
+  }
   return found;
 }
 

@@ -195,8 +195,8 @@ const char* source_of(const Input& in, Method by) {
 /// covered.
 template <class Tracer>
 void judge_tube(const Input& in, double of_steel, Result& r, Tracer& trace) {
-  const double ratio_of_steel = trace.value("ratio_of_steel", of_steel, "d/t_w over 90 x 235 MPa/R_e, class 3");
-  STEP_TO(r, r_class, ratio_of_steel * (210.0 * GPa) / in.E, "eps^2 = 235 MPa/R_e x E/210 GPa, [EN1993-1-4]");
+  const double r_steel = trace.value("r_steel", of_steel, "d/t_w over 90 x 235 MPa/R_e, class 3");
+  STEP_TO(r, r_class, r_steel * (210.0 * GPa) / in.E, "eps^2 = 235 MPa/R_e x E/210 GPa, [EN1993-1-4]");
 }
 
 bool is_tube_of_metal(const Input& in) {

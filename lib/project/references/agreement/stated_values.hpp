@@ -1,5 +1,5 @@
 // Entries of [values] that no step takes and that concern this step by their names: peak factors, repetitions, required
-// lives, strengths, a vacuum, a temperature. Loads and application factors: lib/project/references/machine/left_out.hpp.
+// lives, strengths, a vacuum, a temperature. Loads and application factors are compared in left_out.hpp.
 #pragma once
 
 #include "lib/project/project.hpp"

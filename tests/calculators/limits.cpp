@@ -145,7 +145,7 @@ const Side bars[] = {
     {"column.buckling", "u_e", over, "P", R"("32.7 kN")", R"("32.8 kN")", "method = \"secant\"\ne_y = \"5 mm\""},
     {"column.buckling", "x_E", outside, "E", R"("179 GPa")", R"("178 GPa")", "d = \nsection = \"HEB 200\""},
     {"column.buckling", "r_class", outside, "d_bore", R"("37.27 mm")", R"("37.28 mm")",  // 90 x 235/240/3 = 29.375
-     "d = \"40 mm\"\nE = \"70 GPa\"\nR_e = \"240 MPa\"\nsigma_P = \"160 MPa\"\nP = \"3 kN\"\nmaterial_class = "
+     "d = \"40 mm\"\nE = \"70 GPa\"\nR_e = \"240 MPa\"\nsigma_P = \"160 MPa\"\nP = \"1 kN\"\nmaterial_class = "
      "\"other\""},
     {"column.beam_column", "u", over, "P", R"("1167 kN")", R"("1168 kN")"},
     {"column.beam_column", "u_s", over, "M_z", R"("60.5 kN*m")", R"("60.6 kN*m")", R"(P = "10 kN")"},

@@ -2,6 +2,7 @@
 #include "lib/project/parts/parts.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/pages.hpp"
+#include "tests/parts.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -22,7 +23,7 @@ std::vector<Command> commands_of_page(const std::string& page) {
 
 }  // namespace
 
-TEST_SUITE("readme") {
+TEST_SUITE("readme" * by_case) {
   TEST_CASE("every command line exits with the code that it is said to") {
     for (const char* page : {"/README.md", "/docs/commands.md"}) {
       CAPTURE(page);

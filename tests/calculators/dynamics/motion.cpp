@@ -2,6 +2,8 @@
 #include "calculators/dynamics/motion.hpp"
 
 #include "tests/calculators/motion/solved.hpp"
+#include "tests/parts.hpp"
+#include "tests/tries.hpp"
 
 #include <numbers>
 #include <random>
@@ -20,7 +22,7 @@ std::string text(double value) {
 
 }  // namespace
 
-TEST_SUITE("dynamics motion") {
+TEST_SUITE("dynamics motion" * by_case) {
   TEST_CASE("a fall against quadratic resistance: tanh and ln cosh") {
     for (const double k : {0.002, 0.02, 0.5}) {
       CAPTURE(k);
@@ -105,7 +107,7 @@ TEST_SUITE("dynamics motion") {
     const auto drawn = [&](double low, double high) {
       return text(low + (high - low) * static_cast<double>(random() % 1000) / 1000.0);
     };
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < (sanitized ? 6 : 30); ++i) {
       CAPTURE(i);
       const SolvedStep s =
           motion("m = \"" + drawn(0.1, 20) + " kg\"\nx_0 = \"" + drawn(-2, 2) + " m\"\nv_y0 = \"" + drawn(-5, 5) +

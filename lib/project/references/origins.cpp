@@ -67,9 +67,12 @@ double magnitude_of(const Operand& operand, const Project& project) {
 double own_value(const Step& step, const Project& project, const std::string& path) {
   NotedReads::note(step.name() + "." + path);
   const auto& operands = step.input().reading.operands;
-  const auto operand = std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == path; });
-  if (operand != operands.end()) return magnitude_of(*operand, project);
   const Leaf leaf = find_leaf(step.input().reading.record, path);
+  const auto fills = [&](const Operand& o) {  // of a named element the path has the name, or the number
+    return o.path == path || (leaf && o.leaf.field == leaf.field && o.leaf.owner == leaf.owner);
+  };
+  const auto operand = std::find_if(operands.begin(), operands.end(), fills);
+  if (operand != operands.end()) return magnitude_of(*operand, project);
   return leaf && leaf.field->is_number() ? leaf.get() : std::nan("");
 }
 

@@ -15,7 +15,6 @@ namespace loadpath::project {
 namespace {
 
 constexpr double rounded = 1e-3;  // of a value: sizes typed with few digits
-constexpr int most_seats = 32;    // above the length of any list
 
 class SeatCheck {
  public:
@@ -28,9 +27,10 @@ class SeatCheck {
       if (record.path.ends_with(".connection")) compare_factor(record), compare_hub(record);
       compare_start(record);
     }
-    const Leaf seats = find_leaf(shaft_.input().reading.record, "seats[1].J");
-    for (int i = 1; seats && i <= most_seats; ++i) {
-      const std::string seat = "seats[" + std::to_string(i) + "].";
+    const Record& record = shaft_.input().reading.record;
+    const FieldInfo* const seats = find_field(record.type->fields, "seats");
+    for (std::size_t i = 0; seats != nullptr && i < seats->size(record.data.get()); ++i) {
+      const std::string seat = "seats" + element_path(*seats, record.data.get(), i) + ".";
       compare_gyration(seat), compare_least_gyration(seat);
     }
     for (const Operand& operand : shaft_.input().reading.operands) compare_component(operand);

@@ -7,6 +7,7 @@
 #include "lib/report/worked.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace loadpath::report {
@@ -69,6 +70,22 @@ bool is_zero(const Cell& cell) {
   return q != nullptr && q->si == 0.0;
 }
 
+/// Values far below the largest of their column are rounding errors.
+void drop_rounding(Table& table) {
+  constexpr double of_largest = 1e-9;
+  for (std::size_t i = 1; i < table.head.size(); ++i) {
+    double largest = 0.0;
+    for (const auto& row : table.rows) {
+      const auto* const q = std::get_if<Quantity>(&row[i]);
+      if (q != nullptr && std::isfinite(q->si)) largest = std::max(largest, std::abs(q->si));
+    }
+    for (auto& row : table.rows) {
+      auto* const q = std::get_if<Quantity>(&row[i]);
+      if (q != nullptr && std::abs(q->si) < of_largest * largest) q->si = 0.0;
+    }
+  }
+}
+
 /// The columns of these fields that hold more than zeros.
 Table with_columns(const Table& table, const std::set<std::string>& fields) {
   std::vector<std::size_t> kept{0};
@@ -114,7 +131,8 @@ void drop_unnamed(Table& table) {
 /// The tables of the lists that govern, by falling utilisation; lists of the same elements are one table.
 std::vector<Table> joined_lists(const Step& step, const account::Modes& modes) {
   constexpr std::size_t least_columns = 5;
-  const std::vector<Table> tables = list_tables(step.account().results);
+  std::vector<Table> tables = list_tables(step.account().results);
+  for (Table& table : tables) drop_rounding(table);
   std::vector<Table> all;
   for (const std::string& list : governing_lists(step, modes)) {
     const auto table = std::ranges::find_if(tables, [&](const Table& t) { return t.caption.text() == list; });

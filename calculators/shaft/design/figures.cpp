@@ -54,7 +54,7 @@ figure::Shaft side(const Design::Input& in, std::size_t position) {
   for (const Piece& piece : in.pieces)
     shaft.parts.push_back({in_si(piece.l), in_si(piece.d), in_si(piece.d_bore), in_si(right_diameter(piece))});
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
-    const double T = in_si(torque_of(in, i, position));
+    const double T = in_si(in.K_A * torque_of(in, i, position));  // as in the diagrams
     if (T != 0.0) shaft.torques.push_back({in_si(in.seats[i].x), T, std::string(in.seats[i].name.view())});
   }
   for (std::size_t i = 0; i < in.supports.size(); ++i) {

@@ -45,7 +45,9 @@ class Pages {
   bool takes(const Panel& panel);
   [[nodiscard]] Page recomputing() const;
   void add_derivations(double height, Page& page) const;
-  [[nodiscard]] Band sizes_and_modes() const;
+  [[nodiscard]] Panel sizes() const;
+  [[nodiscard]] Panel modes() const;
+  void add_main(Page& page);
   void add_figure(const StepFigure& figure, bool whole, Panel& panel);
   [[nodiscard]] const project::Step* main_step() const { return main_.empty() ? nullptr : main_.back().step; }
 
@@ -75,35 +77,51 @@ void Pages::add_figure(const StepFigure& figure, bool whole, Panel& panel) {
   if (whole || is_brief(*figure.figure)) shown_.insert(figure.figure);
 }
 
-Band Pages::sizes_and_modes() const {
+Panel Pages::sizes() const {
   constexpr std::size_t most_sizes = 12, most_next = 3;
-  Band band;
-  Panel sizes{say("Chosen sizes"), {}, {}};
+  Panel panel{say("Chosen sizes"), {}, {}};
   Table table = sizes_table(project_, summary_, most_sizes);
-  if (!table.rows.empty()) {
-    sizes.blocks.emplace_back(std::move(table));
-    for (Block& note : next_size_notes(summary_, most_next)) sizes.blocks.push_back(std::move(note));
-    band.push_back({narrow, {std::move(sizes)}});
-  }
-  if (rows_.empty()) return band;
+  if (table.rows.empty()) return panel;
+  panel.blocks.emplace_back(std::move(table));
+  for (Block& note : next_size_notes(summary_, most_next)) panel.blocks.push_back(std::move(note));
+  return panel;
+}
+
+Panel Pages::modes() const {
   const auto assessed = std::ranges::count_if(
       summary_.modes, [](const account::Mode& mode) { return is_told(mode) && mode.utilisation.has_value(); });
   const Message remark = say("{1} of {2} with a utilisation", std::to_string(rows_.size()), std::to_string(assessed));
-  band.push_back({wide, {{say("Governing failure modes"), remark, {governing_table(project_, rows_)}}}});
-  return band;
+  return {say("Governing failure modes"), remark, {governing_table(project_, rows_)}};
 }
 
-Page Pages::deciding() {
-  Page page;
-  page.is_numbered = false;
+/// Figures, sizes and governing modes. A mechanism alone is about as high as wide: over the whole width it would be
+/// set too small, so the sizes stand at its side.
+void Pages::add_main(Page& page) {
   Band figures;
   for (const StepFigure& figure : main_) {
     Panel panel;
     add_figure(figure, false, panel);
     figures.push_back({figures.empty() ? half : other_half, {std::move(panel)}});
   }
+  Panel chosen = sizes();
+  const bool has_sizes = !chosen.blocks.empty(), has_modes = !rows_.empty();
+  if (has_sizes && main_.size() == 1 && moves(*main_.front().figure)) {
+    figures.push_back({other_half, {std::move(chosen)}});
+    page.bands.push_back(std::move(figures));
+    if (has_modes) page.bands.push_back(across(modes()));
+    return;
+  }
   if (!figures.empty()) page.bands.push_back(std::move(figures));
-  if (Band band = sizes_and_modes(); !band.empty()) page.bands.push_back(std::move(band));
+  Band band;
+  if (has_sizes) band.push_back({narrow, {std::move(chosen)}});
+  if (has_modes) band.push_back({wide, {modes()}});
+  if (!band.empty()) page.bands.push_back(std::move(band));
+}
+
+Page Pages::deciding() {
+  Page page;
+  page.is_numbered = false;
+  add_main(page);
   page.bands.push_back({{half, {outside_scope(summary_), not_assessed(summary_), assumptions(project_)}},
                         {other_half, {accepted_by_user(summary_), not_considered(summary_)}}});
   return page;
@@ -141,6 +159,9 @@ Page Pages::checking() {
   page.bands.push_back(inputs_and_diagrams());
   if (const project::Step* const step = main_step()) {
     for (Panel& panel : list_panels(*step, summary_.modes)) {
+      if (takes(panel)) page.bands.push_back(across(std::move(panel)));
+    }
+    for (Panel& panel : load_panels(*step)) {
       if (takes(panel)) page.bands.push_back(across(std::move(panel)));
     }
   }

@@ -34,6 +34,15 @@ bool is_zero_of_list(const Entry& entry) {
 
 bool is_name(const Entry& entry) { return entry.path == "name" || entry.path.ends_with(".name"); }
 
+/// What the user gave comes before what other steps give, which is among their own inputs or results.
+int rank_of(const Entry& entry, bool decides) {
+  const bool is_linked = comes_from_step(entry), is_listed = is_of_list(entry);
+  if (decides && !entry.origin.assumed && !is_linked) return 0;
+  if (entry.origin.assumed) return 4;
+  if (is_linked) return decides ? 2 : 5;
+  return is_listed ? 3 : 1;
+}
+
 /// The inputs that the governing modes follow from.
 std::set<const Entry*> deciding_inputs(const Project& project, const std::vector<Governing>& governing) {
   std::set<const Entry*> inputs;
@@ -53,7 +62,7 @@ std::vector<Input> given_inputs(const Project& project, const std::vector<Govern
       const bool decides = deciding.contains(&entry);
       if (!is_available(entry) || is_name(entry) || (entry.origin.assumed && !decides)) continue;
       if (!decides && is_zero_of_list(entry)) continue;
-      const int rank = decides ? 0 : is_of_list(entry) ? 2 : 1;
+      const int rank = rank_of(entry, decides);
       inputs.push_back({step.get(), &entry, rank});
     }
   }

@@ -56,6 +56,11 @@ std::string short_value(const Entry& entry) {
   return unbroken(as_typed ? format_quantity(si, entry.unit, digits) : short_quantity(si, entry.unit));
 }
 
+bool comes_from_step(const Entry& entry) {
+  const std::string text = entry.origin.text.text();
+  return text.starts_with("=") && !origin_step(text).empty() && origin_step(text) != "tables";
+}
+
 std::string short_origin(const Entry& entry) {
   std::string text = entry.origin.text.text();
   text.resize(std::min({text.size(), text.find("; "), text.find(", "), text.find(": "), text.find(" with ")}));

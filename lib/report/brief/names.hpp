@@ -16,6 +16,8 @@ std::string short_symbol(const std::string& path);
 std::string short_value(const account::Entry& entry);
 /// The origin with the key of its source: "given", "default", "from gears", "C45E [Lucefin-C45E]".
 std::string short_origin(const account::Entry& entry);
+/// Whether the value is a result or an input of another step, or is computed from one.
+bool comes_from_step(const account::Entry& entry);
 /// A text that is not broken between lines.
 std::string unbroken(std::string text);
 

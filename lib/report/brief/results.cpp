@@ -70,18 +70,19 @@ bool is_zero(const Cell& cell) {
   return q != nullptr && q->si == 0.0;
 }
 
-/// Values far below the largest of their column are rounding errors.
+/// Values far below the largest of their column are zeros, or rounding errors. A safety factor next to an infinite one
+/// is not: numbers without a unit stay.
 void drop_rounding(Table& table) {
-  constexpr double of_largest = 1e-9;
+  constexpr double of_largest = 3e-5;
   for (std::size_t i = 1; i < table.head.size(); ++i) {
     double largest = 0.0;
     for (const auto& row : table.rows) {
       const auto* const q = std::get_if<Quantity>(&row[i]);
-      if (q != nullptr && std::isfinite(q->si)) largest = std::max(largest, std::abs(q->si));
+      if (q != nullptr && q->unit != "-" && std::isfinite(q->si)) largest = std::max(largest, std::abs(q->si));
     }
     for (auto& row : table.rows) {
       auto* const q = std::get_if<Quantity>(&row[i]);
-      if (q != nullptr && std::abs(q->si) < of_largest * largest) q->si = 0.0;
+      if (q != nullptr && q->unit != "-" && std::abs(q->si) < of_largest * largest) q->si = 0.0;
     }
   }
 }
@@ -118,6 +119,12 @@ void join(const Table& other, Table& table) {
   }
 }
 
+/// Sections first: where they lie comes before what follows from it.
+void join_sections(Table sections, Table& table) {
+  join(table, sections);
+  table = std::move(sections);
+}
+
 /// Rows that are only numbered, where others have names: the ends of a shaft.
 void drop_unnamed(Table& table) {
   const auto is_numbered = [](const auto& row) {
@@ -137,10 +144,14 @@ std::vector<Table> joined_lists(const Step& step, const account::Modes& modes) {
   for (const std::string& list : governing_lists(step, modes)) {
     const auto table = std::ranges::find_if(tables, [&](const Table& t) { return t.caption.text() == list; });
     if (table == tables.end()) continue;
-    Table part = with_columns(*table, deciding_fields(step, modes, list));
+    std::set<std::string> fields = deciding_fields(step, modes, list);
+    if (list == "sections") fields.insert({"x", "d", "M", "T", "N"});
+    Table part = with_columns(*table, fields);
     drop_unnamed(part);
     const auto same = std::ranges::find_if(all, [&](const Table& t) { return row_names(t) == row_names(part); });
-    if (same != all.end())
+    if (same != all.end() && list == "sections")
+      join_sections(std::move(part), *same);
+    else if (same != all.end())
       join(part, *same);
     else
       all.push_back(std::move(part));
@@ -189,6 +200,16 @@ std::vector<std::vector<const Step*>> grouped(const Project& project, const Step
   return groups;
 }
 
+/// A series as its value of the largest magnitude.
+std::vector<Entry> peaks_of(std::vector<Entry> entries) {
+  for (Entry& entry : entries) {
+    if (!entry.value.is_series()) continue;
+    entry.value.si = {largest(entry.value).value};
+    entry.value.signature.axis = nullptr;
+  }
+  return entries;
+}
+
 std::string step_names(const std::vector<const Step*>& steps) {
   std::string all;
   for (const Step* step : steps) all += (all.empty() ? "" : ", ") + component_name(*step);
@@ -206,6 +227,27 @@ std::vector<Panel> list_panels(const project::Step& step, const account::Modes& 
     for (auto& row : table.rows) row.front() = spoken(std::get<std::string>(row.front()));
     panels.push_back({std::move(title), say("{1}", component_name(step)), {std::move(table)}});
   }
+  return panels;
+}
+
+std::vector<Panel> load_panels(const project::Step& step) {
+  static const std::set<std::string> fields{"x",   "T",   "F_x", "F_y", "F_z",  "angle", "x_w",
+                                            "R_x", "R_y", "F_r", "F_a", "F_r0", "F_a0",  "mass"};
+  std::vector<Panel> panels;
+  const auto add = [&](const std::vector<Entry>& entries, std::string_view list, Message title) {
+    for (const Table& all : list_tables(peaks_of(entries))) {
+      if (all.caption.text() != list) continue;
+      Table table = with_columns(all, fields);
+      table.caption = {};
+      table.head.front() = say("Name");
+      for (auto& row : table.rows) row.front() = spoken(std::get<std::string>(row.front()));
+      if (table.head.size() > 2)
+        panels.push_back({std::move(title), say("{1}", component_name(step)), {std::move(table)}});
+      return;
+    }
+  };
+  add(step.account().inputs, "seats", say("Loads of mounted components"));
+  add(step.account().results, "bearings", say("Bearing reactions"));
   return panels;
 }
 

@@ -11,6 +11,9 @@ namespace loadpath::report {
 /// The lists of a step in which its modes govern, with the columns from which the checks follow.
 std::vector<Panel> list_panels(const project::Step& step, const account::Modes& modes);
 
+/// The forces on a shaft, of its mounted components and its bearings; empty for other steps.
+std::vector<Panel> load_panels(const project::Step& step);
+
 /// The leading results of the other steps; steps of one calculator share a table. At most so many rows in all.
 std::vector<Panel> result_panels(const project::Project& project, const Summary& summary, const project::Step* main,
                                  std::size_t most);

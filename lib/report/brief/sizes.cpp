@@ -36,6 +36,13 @@ std::vector<std::string> other_sizes(const Project& project, const Component& co
   return all;
 }
 
+/// Whether a step of the component has a size: what is only computed of a stress cycle or a gear rating is none.
+bool has_size(const Project& project, const Component& component) {
+  return component.is_sized || std::ranges::any_of(project.steps, [&](const auto& step) {
+           return component_name(*step) == component.name && describes_size(*step);
+         });
+}
+
 void add_rows(const Project& project, const Component& component, Table& table) {
   const std::string material = material_of(project, component.name);
   const auto add = [&](Cell size, bool first) {
@@ -59,7 +66,7 @@ Table sizes_table(const Project& project, const Summary& summary, std::size_t mo
                         [](const Component& component) { return component.is_sized; });
   std::size_t left = 0;
   for (const Component& component : components) {
-    if (component.sizes.empty()) continue;
+    if (component.sizes.empty() || !has_size(project, component)) continue;
     if (table.rows.size() + component.sizes.size() > most)
       ++left;
     else

@@ -122,6 +122,17 @@ std::string failed_mode_text(const account::TriedSize& tried) {
 
 std::string failure_text(const account::TriedSize& tried) { return tried.name + " fails: " + failed_mode_text(tried); }
 
+bool describes_size(const Step& step) {
+  const std::string_view headline = step.input().calculator->headline;
+  const std::size_t open = headline.find('{');
+  if (open == std::string_view::npos) return true;
+  const std::size_t end = std::min(headline.find_first_of("#!}", open), headline.size());
+  const std::string_view key = headline.substr(open + 1, end - open - 1);
+  const auto& results = step.account().results;
+  const auto result = std::ranges::find(results, key, &Entry::path);
+  return result == results.end() || (result->unit != "-" && result->unit != "MPa");
+}
+
 bool is_sized(const Step& step) {
   return std::ranges::any_of(chosen(step.account()), [](const Entry* entry) { return has_value(*entry); });
 }

@@ -85,6 +85,8 @@ std::vector<std::string> short_sizes(const project::Step& step);
 /// The details that its calculator declares; may be empty.
 std::string details_of(const project::Step& step);
 bool is_sized(const project::Step& step);
+/// Whether that headline names a size: a safety factor or a stress that follows from others is none.
+bool describes_size(const project::Step& step);
 /// The name of a mode where several share a line: its title without parentheses.
 std::string plain_title(const account::Mode& mode);
 /// "left seat" of "pieces.left_seat.d"; empty of a size of the step itself.

@@ -94,8 +94,8 @@ Panel Pages::modes() const {
   return {say("Governing failure modes"), remark, {governing_table(project_, rows_)}};
 }
 
-/// Figures, sizes and governing modes. A mechanism alone is about as high as wide: over the whole width it would be
-/// set too small, so the sizes stand at its side.
+/// Figures, sizes and governing modes. A figure about as high as wide would be set too small in the width of the page:
+/// the sizes stand at its side.
 void Pages::add_main(Page& page) {
   Band figures;
   for (const StepFigure& figure : main_) {
@@ -105,7 +105,7 @@ void Pages::add_main(Page& page) {
   }
   Panel chosen = sizes();
   const bool has_sizes = !chosen.blocks.empty(), has_modes = !rows_.empty();
-  if (has_sizes && main_.size() == 1 && moves(*main_.front().figure)) {
+  if (has_sizes && main_.size() == 1 && is_compact(*main_.front().figure)) {
     figures.push_back({other_half, {std::move(chosen)}});
     page.bands.push_back(std::move(figures));
     if (has_modes) page.bands.push_back(across(modes()));

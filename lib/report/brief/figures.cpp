@@ -13,6 +13,7 @@ namespace {
 using project::Project;
 using project::Step;
 
+bool moves(const figure::Figure& figure) { return std::holds_alternative<figure::Motion>(figure.content); }
 bool is_mechanism(const figure::Figure& figure) {
   const auto* const scheme = std::get_if<figure::Scheme>(&figure.content);
   return scheme != nullptr && !scheme->bodies.empty();
@@ -119,7 +120,9 @@ bool is_brief(const figure::Figure& figure) {
   return !has_diagrams(figure);
 }
 
-bool moves(const figure::Figure& figure) { return std::holds_alternative<figure::Motion>(figure.content); }
+bool is_compact(const figure::Figure& figure) {
+  return moves(figure) || is_mechanism(figure) || std::holds_alternative<figure::Drawn>(figure.content);
+}
 
 bool has_diagrams(const figure::Figure& figure) {
   const auto* const shaft = std::get_if<figure::Shaft>(&figure.content);

@@ -24,8 +24,8 @@ std::vector<StepFigure> further_figures(const project::Project& project, const S
 figure::Figure in_brief(const figure::Figure& figure);
 /// Whether page 1 shows all of it.
 bool is_brief(const figure::Figure& figure);
-/// Whether it is a mechanism that moves.
-bool moves(const figure::Figure& figure);
+/// Whether it is about as high as wide: a mechanism, or a drawn part that is no shaft.
+bool is_compact(const figure::Figure& figure);
 /// Whether it is a shaft with diagrams, which is narrow and tall.
 bool has_diagrams(const figure::Figure& figure);
 

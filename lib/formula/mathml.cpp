@@ -3,6 +3,9 @@
 #include "lib/text/markup.hpp"
 #include "lib/text/utf8.hpp"
 
+#include <algorithm>
+#include <optional>
+
 namespace loadpath::formula {
 namespace {
 
@@ -30,6 +33,7 @@ std::string one(std::string_view markup) { return is_single(markup) ? std::strin
 std::string upright(std::string_view letters) {
   return element(code_points(letters).size() == 1 ? "mi mathvariant=\"normal\"" : "mi", letters);
 }
+constexpr const char* thin_space_letter = "\u2009";
 std::string blank(std::string_view width) { return "<mspace width=\"" + std::string(width) + "\"/>"; }
 
 /// Delimiters grow only with content taller than a line: the font's next size is far from its content.
@@ -39,7 +43,18 @@ bool is_tall(std::string_view markup) {
   }
   return false;
 }
+/// The text of a single element of this name; nothing of other markup.
+std::optional<std::string_view> text_in(std::string_view name, std::string_view markup) {
+  const std::string begin = "<" + std::string(name) + ">", end = "</" + std::string(name) + ">";
+  if (!markup.starts_with(begin) || !markup.ends_with(end)) return std::nullopt;
+  markup.remove_prefix(begin.size());
+  markup.remove_suffix(end.size());
+  return markup.find('<') == std::string_view::npos ? std::optional(markup) : std::nullopt;
+}
+
+/// Around a quantity the delimiters are a part of it.
 std::string delimited(std::string_view open, std::string_view inner, std::string_view close) {
+  if (const auto text = text_in("mn", inner)) return element("mn", std::string(open).append(*text).append(close));
   const std::string stretchy = is_tall(inner) ? "" : " stretchy=\"false\"";
   return element("mrow", element("mo" + stretchy, open) + std::string(inner) + element("mo" + stretchy, close));
 }
@@ -52,6 +67,11 @@ std::string unit_markup(std::string_view pretty) {
     out += run.exponent.empty() ? letters : element("msup", letters + element("mn", run.exponent));
   }
   return out;
+}
+
+bool has_exponent(std::string_view pretty) {
+  const std::vector<UnitRun> runs = unit_runs(pretty);
+  return std::any_of(runs.begin(), runs.end(), [](const UnitRun& run) { return !run.exponent.empty(); });
 }
 
 std::string glyphs(const Glyphs& g) {
@@ -93,14 +113,15 @@ class MathML : public Notation {
     return exponent.empty() ? element("msub", lower) : element("msubsup", lower + one(exponent));
   }
   std::string unit(std::string_view pretty) const override { return unit_markup(pretty); }
+  /// One number with its unit, unless a power of ten or of a unit is raised. Not as mtext: next to what counts as space
+  /// an operator is set as a sign.
   std::string quantity(std::string_view number, std::string_view unit) const override {
+    const auto digits = text_in("mn", number);
+    if (digits && !has_exponent(unit)) return element("mn", std::string(*digits) + thin_space_letter + escaped(unit));
     return std::string(number) + blank("0.2em") + unit_markup(unit);
   }
   std::string minus() const override { return "<mo form=\"prefix\">−</mo>"; }
-  std::string infix(std::string_view op) const override {
-    // A plus or a minus may start a line: without the attribute it would be set as a sign.
-    return element(op == "+" || op == "-" ? "mo form=\"infix\"" : "mo", sign(op));
-  }
+  std::string infix(std::string_view op) const override { return element("mo", sign(op)); }
   std::string thin_space() const override { return blank("0.17em"); }
   std::string fraction(std::string_view over, std::string_view under) const override {
     return element("mfrac", one(over) + one(under));
@@ -154,7 +175,12 @@ std::string mathml(const Node& tree, const Substituted& substituted, const Known
   return print(mathml_notation, tree, substituted, known);
 }
 std::vector<std::string> mathml_terms(const Node& tree, const Substituted& substituted, const Known& known) {
-  return print_terms(mathml_notation, tree, substituted, known);
+  std::vector<std::string> terms = print_terms(mathml_notation, tree, substituted, known);
+  // A plus or a minus that begins a term has no left neighbour: without the attribute it would be set as a sign.
+  for (std::size_t i = 1; i < terms.size(); ++i) {
+    if (terms[i].starts_with("<mo>")) terms[i].insert(3, " form=\"infix\"");
+  }
+  return terms;
 }
 std::string quantity_mathml(const Written& value) { return print_quantity(mathml_notation, value); }
 

@@ -154,7 +154,9 @@ TEST_SUITE("formula") {
   }
 
   TEST_CASE("a value is written with sign, power of ten and upright unit") {
-    CHECK(quantity_mathml({"27.35", "mm"}) == "<mn>27.35</mn><mspace width=\"0.2em\"/><mi>mm</mi>");
+    CHECK(quantity_mathml({"27.35", "mm"}) == "<mn>27.35\u2009mm</mn>");
+    CHECK(quantity_mathml({"27.35", "mm³"}) ==
+          "<mn>27.35</mn><mspace width=\"0.2em\"/><msup><mi>mm</mi><mn>3</mn></msup>");
     CHECK(quantity_mathml({"-2", ""}) == "<mo form=\"prefix\">−</mo><mn>2</mn>");
     CHECK(quantity_mathml({"not available", ""}) == "<mtext>not available</mtext>");
     CHECK(quantity_tex({"1.5e9", "mm²"}) == "1.5 \\cdot 10^{9}\\thinspace \\mathrm{mm^{2}}");

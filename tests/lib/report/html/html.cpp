@@ -28,12 +28,10 @@ TEST_SUITE("report") {
           "<div class=\"step\"><div class=\"left\"><math><mi>τ</mi></math></div>"
           "<div class=\"formula\"><math><mo>=</mo><mfrac><mi>T</mi>"
           "<mrow><mn>2</mn><mspace width=\"0.17em\"/><mi>W</mi></mrow></mfrac></math></div>"
-          "<div class=\"numbers\"><math><mo>=</mo><mfrac><mrow><mn>600</mn><mspace "
-          "width=\"0.2em\"/>"
-          "<mi>N·m</mi></mrow><mrow><mn>2</mn><mo>⋅</mo><mn>24500</mn>"
+          "<div class=\"numbers\"><math><mo>=</mo><mfrac><mn>600\u2009N·m</mn><mrow><mn>2</mn><mo>⋅</mo><mn>24500</mn>"
           "<mspace width=\"0.2em\"/><msup><mi>mm</mi><mn>3</mn></msup></mrow></mfrac></math></div>"
-          "<div class=\"result\"><math><mo>=</mo><mn>12.24</mn><mspace width=\"0.2em\"/>"
-          "<mi>MPa</mi></math></div><p class=\"why\">at the surface</p></div>\n"
+          "<div class=\"result\"><math><mo>=</mo><mn>12.24\u2009MPa</mn></math></div>"
+          "<p class=\"why\">at the surface</p></div>\n"
           "</div>\n</main>");
   }
 

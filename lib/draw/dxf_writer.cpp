@@ -18,8 +18,8 @@ std::string number(double mm) { return std::abs(mm) < 1e-9 ? "0" : format_number
 
 /// The letters that R12 has, with its signs for degrees and diameters.
 std::string in_ascii(std::string_view words) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> known{
-      {{"°", "%%d"}, {"⌀", "%%c"}, {"·", "*"}, {"\u2212", "-"}, {"\u00a0", " "}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> known{
+      {{"°", "%%d"}, {"Ø", "%%c"}, {"⌀", "%%c"}, {"·", "*"}, {"\u2212", "-"}, {"\u00a0", " "}}};
   std::string out;
   while (!words.empty()) {
     const auto hit =

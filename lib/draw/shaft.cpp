@@ -19,7 +19,7 @@ constexpr double torque_radius = 6.5;
 constexpr double support_depth = 22.0;  // depth of a bearing symbol with its ground
 
 std::string millimetres(double metres) { return format_number(1e3 * metres, 5); }
-std::string diameter_text(double metres) { return "⌀" + millimetres(metres); }
+std::string diameter_text(double metres) { return "Ø" + millimetres(metres); }
 
 /// "40 mm", of a taper "40 mm to 30 mm".
 std::string diameters(const figure::Shaft::Part& part) {

@@ -8,6 +8,7 @@
 #include "lib/text/issue.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,16 @@ figure::Plot diagram(figure::Scale up, std::vector<figure::Curve> curves) {
   plot.y = std::move(up);
   plot.curves = std::move(curves);
   return plot;
+}
+
+/// Where the curves of a diagram are farthest from zero.
+void mark_peaks(figure::Plot& plot) {
+  for (const figure::Curve& curve : plot.curves) {
+    const auto most = std::max_element(curve.y.begin(), curve.y.end(),
+                                       [](double a, double b) { return numerics::exceeds(std::abs(b), std::abs(a)); });
+    if (most == curve.y.end() || !(std::abs(*most) > 0.0)) continue;
+    plot.marks.push_back({curve.x[static_cast<std::size_t>(most - curve.y.begin())], *most, curve.label});
+  }
 }
 
 double moment_x(const Loaded& l, std::size_t s, bool right) {
@@ -128,6 +139,7 @@ std::vector<figure::Figure> Design::figures(const Input& in, const Result& r) {
       diagram({"V", "transverse force", "N"}, {along(loaded, "V_X", &force_x), along(loaded, "V_Y", &force_y)}));
   shaft.diagrams.push_back(
       diagram({"M", "bending moment", "N*m"}, {along(loaded, "M_X", &moment_x), along(loaded, "M_Y", &moment_y)}));
+  mark_peaks(shaft.diagrams.back());
   shaft.diagrams.push_back(diagram({"T", "torque", "N*m"}, {along(loaded, "T", &torque)}));
   shaft.diagrams.push_back(elastic_line(loaded));
   const char* const caption =

@@ -105,10 +105,10 @@ void PlotPicture::label_mark(const figure::Mark& mark) {
   canvas_.centred_text("halo", labels_.place(around(*dot, 7.0, width(text, text_size))), text);
 }
 
-/// The value in the middle of its stretch: in the area, or beyond it where the area is too low.
+/// The value in the middle of its stretch: in the area, or beyond it where the area is too low. A zero says nothing.
 void PlotPicture::label_level(const Level& level) {
   constexpr double least = 2.0, beyond = 11.0;
-  if (level.to.x - level.from.x < least) return;
+  if (level.si == 0.0 || level.to.x - level.from.x < least) return;
   const Text text = typeset(frame_.y().number(level.si));
   const double middle = 0.5 * (level.from.x + level.to.x), zero = frame_.zero_line();
   const double outward = level.from.y < zero ? -1.0 : 1.0;

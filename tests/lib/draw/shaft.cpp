@@ -10,7 +10,7 @@ using namespace loadpath::draw::test;
 TEST_SUITE("draw") {
   TEST_CASE("a shaft carries its diameters, bore, lengths and torques") {
     const std::string text = drawn(stepped_shaft());
-    for (const char* label : {"⌀50", "⌀70", "⌀55", "bore ⌀20", "300", "500", "200", "1000", "T1 = 900 N·m"}) {
+    for (const char* label : {"Ø50", "Ø70", "Ø55", "bore Ø20", "300", "500", "200", "1000", "T1 = 900 N·m"}) {
       CHECK_MESSAGE(says(text, label), label);
     }
     CHECK(count(text, "<rect class=\"plate ") == 3);
@@ -39,7 +39,7 @@ TEST_SUITE("draw") {
     const std::string text = drawn(shaft);
     CHECK(count(text, "<rect class=\"plate ") == 2);
     CHECK(count(text, "class=\"plate outline\" d=\"") == 1);
-    CHECK(says(text, "⌀70…55"));
+    CHECK(says(text, "Ø70…55"));
     CHECK(has(text, "length 500 mm, diameter 70 mm to 55 mm, bore 20 mm"));
     CHECK(overlap(text) == "");
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 
 namespace loadpath::report {
 
@@ -106,6 +107,9 @@ figure::Figure in_brief(const figure::Figure& figure) {
     shaft->diagrams.clear();
     shaft->places.clear();
   }
+  constexpr std::string_view of_screen = " and the force polygon of a link";  // on paper there is none
+  if (moves(figure) && brief.caption.ends_with(of_screen))
+    brief.caption.resize(brief.caption.size() - of_screen.size());
   if (const auto* const drawn = std::get_if<figure::Drawn>(&figure.content)) {
     figure::Drawing drawing = **drawn;
     drawing.views.resize(first_row(drawing));

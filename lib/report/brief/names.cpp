@@ -1,6 +1,7 @@
 #include "lib/report/brief/names.hpp"
 
 #include "lib/formula/formula.hpp"
+#include "lib/formula/names.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/summary/numbers.hpp"
 #include "lib/report/summary/summary.hpp"
@@ -14,8 +15,29 @@ namespace loadpath::report {
 
 using account::Entry;
 
+namespace {
+
+bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+}  // namespace
+
+std::string with_greek(std::string_view words) {
+  std::string text;
+  while (!words.empty()) {
+    std::size_t end = 0;
+    while (end < words.size() && is_of_name(words[end])) ++end;
+    const std::string_view name = words.substr(0, end);
+    if (end == 0)
+      text += words.front();
+    else
+      text += formula::symbol(name).base.greek != nullptr ? formula::symbol_plain(name) : std::string(name);
+    words.remove_prefix(std::max<std::size_t>(end, 1));
+  }
+  return text;
+}
+
 std::string short_name(const Entry& entry) {
-  std::string name = say("{1}", entry.doc).text();
+  std::string name = with_greek(say("{1}", entry.doc).text());
   const std::size_t end = std::min({name.find(" ("), name.find(':'), name.find(';'), name.find(", ")});
   if (end != std::string::npos) name.resize(end);
   const std::string owner = owner_of(entry.path);
@@ -50,10 +72,12 @@ std::string short_value(const Entry& entry) {
   constexpr int digits = 5;
   if (!entry.word.empty()) return entry.word;
   if (entry.value.si.empty()) return {};
-  if (entry.value.is_series()) return unbroken(short_quantity(largest(entry.value).value, entry.unit));
-  const double si = entry.value.si.front();
-  const bool as_typed = is_typed(entry) && std::isfinite(si);
-  return unbroken(as_typed ? format_quantity(si, entry.unit, digits) : short_quantity(si, entry.unit));
+  const bool is_series = entry.value.is_series();
+  const double si = is_series ? largest(entry.value).value : entry.value.si.front();
+  const bool as_typed = !is_series && is_typed(entry) && std::isfinite(si);
+  std::string text = as_typed ? format_quantity(si, entry.unit, digits) : short_quantity(si, entry.unit);
+  if (text.starts_with('-')) text.replace(0, 1, "\u2212");
+  return unbroken(std::move(text));
 }
 
 bool comes_from_step(const Entry& entry) {

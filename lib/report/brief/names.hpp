@@ -5,11 +5,14 @@
 #include "lib/report/document.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace loadpath::report {
 
 /// The description up to its first condition: "service factor of the basis"; of an element after its name.
 std::string short_name(const account::Entry& entry);
+/// Names of Greek letters as letters: "stress ratio σ_min/σ_max".
+std::string with_greek(std::string_view words);
 /// The symbol of a path as text: "K_A" of "K_A", "d" of "pieces.seat.d".
 std::string short_symbol(const std::string& path);
 /// The value with few digits: "11 kW", "13.75 kN"; of a series the value of the largest magnitude.

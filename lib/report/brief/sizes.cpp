@@ -1,5 +1,7 @@
 #include "lib/report/brief/sizes.hpp"
 
+#include "lib/report/brief/names.hpp"
+
 #include <algorithm>
 
 namespace loadpath::report {
@@ -49,12 +51,13 @@ void add_rows(const Project& project, const Component& component, Table& table) 
     table.rows.push_back({first ? component.name : std::string(), std::move(size), first ? material : std::string()});
   };
   bool first = true;
-  for (const std::string& size : component.sizes) {
+  for (const std::string& name : component.sizes) {
+    const std::string size = with_greek(name);
     add(component.is_sized ? Cell(Sized{size}) : Cell(size), first);
     first = false;
   }
   if (!component.is_sized) return;
-  for (const std::string& size : other_sizes(project, component)) add(size, false);
+  for (const std::string& size : other_sizes(project, component)) add(with_greek(size), false);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double shaft_left = 30.0, shaft_right = 450.0, least_length = 180.0;
 constexpr double diagrams_left = 62.0, diagrams_right = 466.0;  // room for the numbers of their scales
-constexpr double least_depth = 78.0, most_depth = 170.0;        // thickness of the thickest part
+constexpr double least_depth = 48.0, most_depth = 170.0;        // thickness of the thickest part
 constexpr double torque_reach = 16.0;                           // overhang of torque lines
 constexpr double torque_radius = 6.5;
 constexpr double support_depth = 22.0;  // depth of a bearing symbol with its ground
@@ -202,7 +202,8 @@ void ShaftPicture::draw_diameter(const Cylinder& c) {
     if (c.bore > 0.0) canvas_.text("quiet", {x - 4.0, axis_ + 4.0}, typeset(bore), Anchor::end, true);
     return;
   }
-  canvas_.text("", {x + gap, axis_ - 5.0}, text);
+  constexpr double least_radius = 17.0;  // of a part that surrounds its text
+  canvas_.text(radius < least_radius ? "halo" : "", {x + gap, axis_ - 5.0}, text);
   if (c.bore > 0.0) {
     const Text named = typeset(say("bore {1}", bore).text());
     const bool fits = x + gap + width(named, text_size) < c.right;

@@ -5,47 +5,73 @@
 #include "lib/text/markup.hpp"
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 
 namespace loadpath::report::page {
 namespace {
 
 constexpr double close_letters = 112.0, finer_letters = 128.0;  // letters per line: closer spacing, smaller type
 
-std::string head_cell(const Message& head, bool number, const std::string& unit) {
-  std::string out = std::string("<th scope=\"col\"") + (number ? " class=\"number\">" : ">");
+/// The class that says which columns are numbers, so that no cell needs one: all but the first, or one of the first.
+/// Empty for other tables.
+std::string_view numbers_of(const std::vector<bool>& numeric) {
+  constexpr std::array<std::string_view, 6> single{"", "n2", "n3", "n4", "n5", "n6"};
+  const auto count = static_cast<std::size_t>(std::count(numeric.begin(), numeric.end(), true));
+  if (count == 0 || numeric.front()) return {};
+  if (count > 1) return count + 1 == numeric.size() ? "of-numbers" : "";
+  const auto at = static_cast<std::size_t>(std::find(numeric.begin(), numeric.end(), true) - numeric.begin());
+  return at < single.size() ? single[at] : "";
+}
+
+/// ` class="dense of-numbers"`, nothing without a name.
+std::string classes(std::initializer_list<std::string_view> names) {
+  std::string all;
+  for (const std::string_view name : names) {
+    if (!name.empty()) all.append(all.empty() ? "" : " ").append(name);
+  }
+  return all.empty() ? all : " class=\"" + all + "\"";
+}
+
+std::string head_cell(const Message& head, bool marked, const std::string& unit) {
+  std::string out = std::string("<th scope=\"col\"") + (marked ? " class=\"number\">" : ">");
   out += is_symbol(head) ? symbol(head.args[0].text()) : escaped(head.text());
   if (!unit.empty()) out += "<br><span class=\"unit\">" + escaped(unit) + "</span>";
   return out + "</th>";
 }
 
 /// A cell of a numeric column keeps its line together; its quantities need no element of their own.
-std::string number_cell(const Cell& of, const std::string& quantity) {
-  return std::holds_alternative<Quantity>(of) ? "<td class=\"number\">" + escaped(quantity) + "</td>"
-                                              : "<td class=\"number words\">" + cell(of) + "</td>";
+std::string number_cell(const Cell& of, const std::string& quantity, bool marked) {
+  const std::string_view number = marked ? "number" : "";
+  return std::holds_alternative<Quantity>(of) ? "<td" + classes({number}) + ">" + escaped(quantity) + "</td>"
+                                              : "<td" + classes({number, "words"}) + ">" + cell(of) + "</td>";
 }
 
-std::string close_cell(const Cell& of, const Column& column) {
+std::string close_cell(const Cell& of, const Column& column, bool marked) {
   const auto* const q = std::get_if<Quantity>(&of);
   const std::string quantity = q == nullptr ? std::string() : number_of(*q, column);
-  if (column.numeric) return number_cell(of, quantity);
+  if (column.numeric) return number_cell(of, quantity, marked);
   return "<td>" + (q == nullptr ? cell(of) : "<span class=\"quantity\">" + escaped(quantity) + "</span>") + "</td>";
 }
 
-std::string wide_cell(const Cell& of, bool numeric) {
+std::string wide_cell(const Cell& of, bool numeric, bool marked) {
   const auto* const q = std::get_if<Quantity>(&of);
-  if (numeric) return number_cell(of, q == nullptr ? std::string() : formula::quantity_plain(written(*q)));
+  if (numeric) return number_cell(of, q == nullptr ? std::string() : formula::quantity_plain(written(*q)), marked);
   return "<td>" + cell(of) + "</td>";
 }
 
 std::string close_part(const Table& table, const Part& part) {
   const auto& columns = part.columns;
-  std::string out = part.letters > close_letters ? "<div class=\"scroll\"><table class=\"dense finer\">\n<thead><tr>"
-                                                 : "<div class=\"scroll\"><table class=\"dense\">\n<thead><tr>";
-  for (const Column& c : columns) out += head_cell(table.head[c.index], c.numeric, c.unit);
+  std::vector<bool> numeric;
+  for (const Column& c : columns) numeric.push_back(c.numeric);
+  const std::string_view numbers = numbers_of(numeric), finer = part.letters > close_letters ? "finer" : "";
+  const bool marked = numbers.empty();
+  std::string out = "<div class=\"scroll\"><table" + classes({"dense", finer, numbers}) + ">\n<thead><tr>";
+  for (const Column& c : columns) out += head_cell(table.head[c.index], marked && c.numeric, c.unit);
   out += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
-    for (const Column& c : columns) out += c.index < row.size() ? close_cell(row[c.index], c) : "<td></td>";
+    for (const Column& c : columns) out += c.index < row.size() ? close_cell(row[c.index], c, marked) : "<td></td>";
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>";
@@ -78,18 +104,18 @@ bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
 }
 
 std::string wide(const Table& table, const std::vector<bool>& numeric) {
-  const std::string_view name = class_of(table);
-  const std::string style = name.empty() ? std::string() : " class=\"" + std::string(name) + "\"";
-  std::string out = "<div class=\"scroll\"><table" + style + ">\n";
+  const std::string_view numbers = numbers_of(numeric);
+  const bool marked = numbers.empty();
+  std::string out = "<div class=\"scroll\"><table" + classes({class_of(table), numbers}) + ">\n";
   if (!table.head.empty()) {
     out += "<thead><tr>";
-    for (std::size_t i = 0; i < table.head.size(); ++i) out += head_cell(table.head[i], numeric[i], {});
+    for (std::size_t i = 0; i < table.head.size(); ++i) out += head_cell(table.head[i], marked && numeric[i], {});
     out += "</tr></thead>\n";
   }
   out += "<tbody>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) out += wide_cell(row[i], numeric[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) out += wide_cell(row[i], numeric[i], marked);
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>";

@@ -22,13 +22,12 @@ std::string table_of(const Modes& rows, const std::set<std::string>& anchors) {
   if (rows.empty()) return {};
   std::string out = "<div class=\"scroll\"><table class=\"verdicts\">\n<thead><tr>";
   for (const Message& head : {say("failure mode"), say("utilisation"), say("verdict")}) {
-    out += std::string("<th scope=\"col\"") + (head.id == "utilisation" ? " class=\"number\">" : ">") +
-           escaped(head.text()) + "</th>";
+    out += "<th scope=\"col\">" + escaped(head.text()) + "</th>";
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const Mode& mode : rows) {
-    out += "<tr><td class=\"subject\">" + subject(mode, anchors) + "</td><td class=\"number\">" + value(mode) +
-           "</td><td class=\"verdict\">" + state_of(mode) + "</td></tr>\n";
+    out +=
+        "<tr><td>" + subject(mode, anchors) + "</td><td>" + value(mode) + "</td><td>" + state_of(mode) + "</td></tr>\n";
   }
   out += "</tbody></table></div>\n";
   return out;

@@ -38,14 +38,12 @@ std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anch
   if (verdicts.rows.empty()) return {};
   std::string out = "<div class=\"scroll\"><table class=\"verdicts\">\n<thead><tr>";
   for (const Message& head : {say("check"), say("value"), say("condition"), say("verdict")}) {
-    out += std::string("<th scope=\"col\"") + (head.id == "value" ? " class=\"number\">" : ">") + escaped(head.text()) +
-           "</th>";
+    out += "<th scope=\"col\">" + escaped(head.text()) + "</th>";
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const Verdict& row : verdicts.rows) {
-    out += "<tr><td class=\"subject\">" + subject(row, anchors) + "</td><td class=\"number\">" + value(row) +
-           "</td><td class=\"bound\">" + escaped(row.bound.text()) + "</td><td class=\"verdict\">" + state(row.state) +
-           "</td></tr>\n";
+    out += "<tr><td>" + subject(row, anchors) + "</td><td>" + value(row) + "</td><td class=\"bound\">" +
+           escaped(row.bound.text()) + "</td><td>" + state(row.state) + "</td></tr>\n";
   }
   return out + "</tbody></table></div>\n";
 }

@@ -8,17 +8,19 @@
 namespace loadpath::report::page {
 namespace {
 
+/// A number and its unit are not broken between lines.
+std::string kept(const std::string& quantity) {
+  const std::string text = escaped(quantity);
+  return text.find(' ') == std::string::npos ? text : "<span class=\"quantity\">" + text + "</span>";
+}
+
 struct CellText {
   std::string operator()(const std::string& text) const { return escaped(text); }
   std::string operator()(const Message& message) const { return escaped(message.text()); }
-  std::string operator()(const Quantity& q) const {
-    return "<span class=\"quantity\">" + escaped(formula::quantity_plain(written(q))) + "</span>";
-  }
+  std::string operator()(const Quantity& q) const { return kept(formula::quantity_plain(written(q))); }
   std::string operator()(const Symbol& s) const { return symbol(s.name); }
   std::string operator()(State s) const { return state(s); }
-  std::string operator()(const Utilisation& u) const {
-    return "<span class=\"quantity\">" + escaped(utilisation_text(u.value)) + "</span>" + bar(u.value);
-  }
+  std::string operator()(const Utilisation& u) const { return kept(utilisation_text(u.value)) + bar(u.value); }
   std::string operator()(const Sized& s) const { return "<b class=\"sized\">" + escaped(s.text) + "*</b>"; }
 };
 

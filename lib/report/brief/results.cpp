@@ -70,6 +70,8 @@ bool is_zero(const Cell& cell) {
   return q != nullptr && q->si == 0.0;
 }
 
+bool has_unit(const Quantity& q) { return !q.unit.empty() && q.unit != "-"; }
+
 /// Values far below the largest of their column are zeros, or rounding errors. A safety factor next to an infinite one
 /// is not: numbers without a unit stay.
 void drop_rounding(Table& table) {
@@ -78,11 +80,11 @@ void drop_rounding(Table& table) {
     double largest = 0.0;
     for (const auto& row : table.rows) {
       const auto* const q = std::get_if<Quantity>(&row[i]);
-      if (q != nullptr && q->unit != "-" && std::isfinite(q->si)) largest = std::max(largest, std::abs(q->si));
+      if (q != nullptr && has_unit(*q) && std::isfinite(q->si)) largest = std::max(largest, std::abs(q->si));
     }
     for (auto& row : table.rows) {
       auto* const q = std::get_if<Quantity>(&row[i]);
-      if (q != nullptr && q->unit != "-" && std::abs(q->si) < of_largest * largest) q->si = 0.0;
+      if (q != nullptr && has_unit(*q) && std::abs(q->si) < of_largest * largest) q->si = 0.0;
     }
   }
 }

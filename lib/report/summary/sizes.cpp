@@ -130,7 +130,7 @@ bool describes_size(const Step& step) {
   const std::string_view key = headline.substr(open + 1, end - open - 1);
   const auto& results = step.account().results;
   const auto result = std::ranges::find(results, key, &Entry::path);
-  return result == results.end() || (result->unit != "-" && result->unit != "MPa");
+  return result == results.end() || (!result->unit.empty() && result->unit != "-" && result->unit != "MPa");
 }
 
 bool is_sized(const Step& step) {

@@ -39,6 +39,8 @@ struct Cylinder {
   [[nodiscard]] double largest() const { return std::max(radius, right_radius); }
 };
 
+bool acts(double force) { return drawable(force) && force > 1e-6; }
+
 struct TorqueSign {
   const figure::Shaft::Torque* torque;
   Text text;
@@ -123,7 +125,8 @@ void ShaftPicture::place_torques(const figure::Shaft& shaft) {
   for (const auto& torque : shaft.torques) {
     if (!drawable(torque.x) || !drawable(torque.value) || torque.value == 0.0) continue;
     const std::string value = format_quantity(torque.value, "N*m", 4);
-    const std::string words = torque.label.empty() ? value : say("{1} = {2}", symbol(torque.label), value).text();
+    std::string words = torque.label.empty() ? value : say("{1} = {2}", symbol(torque.label), value).text();
+    if (acts(torque.force)) words = say("{1}, {2}", words, format_quantity(torque.force, "N", 4)).text();
     const Text text = typeset(words);
     const double half = 0.5 * width(text, text_size);
     const double x = at(std::clamp(torque.x, 0.0, length_));
@@ -143,7 +146,10 @@ void ShaftPicture::place_bearings(const figure::Shaft& shaft) {
 
 double ShaftPicture::reach_below() const {
   const double torques = torques_.empty() ? 0.0 : torque_reach + torque_radius;
-  return std::max(torques, bearings_.empty() ? 0.0 : support_depth + row_height);
+  const bool has_force = std::any_of(bearings_.begin(), bearings_.end(),
+                                     [](const BearingSign& sign) { return acts(sign.bearing->force); });
+  const double rows = has_force ? 2.0 : 1.0;
+  return std::max(torques, bearings_.empty() ? 0.0 : support_depth + rows * row_height);
 }
 
 double ShaftPicture::radius_at(double x) const {
@@ -245,7 +251,11 @@ void ShaftPicture::draw_bearing(const BearingSign& sign) {
   }
   const double half_text = 0.5 * width(sign.text, text_size);
   const double middle = std::clamp(sign.x, half_text + 4.0, view_width - half_text - 4.0);
-  canvas_.text("halo", {middle, axis_ + radius_ + support_depth + row_height - 4.0}, sign.text, Anchor::middle);
+  const double line = axis_ + radius_ + support_depth + row_height - 4.0;
+  canvas_.text("halo", {middle, line}, sign.text, Anchor::middle);
+  if (acts(sign.bearing->force))
+    canvas_.text("halo f0", {middle, line + row_height}, typeset(format_quantity(sign.bearing->force, "N", 4)),
+                 Anchor::middle);
 }
 
 void ShaftPicture::draw_place(const figure::Shaft::Place& place) {
@@ -316,8 +326,12 @@ std::string ShaftPicture::description() const {
             format_quantity(sign.torque->x, "mm", 5))
             .text());
   }
-  for (const BearingSign& sign : bearings_)
-    add(say("bearing {1} at {2}", plain(sign.bearing->label), format_quantity(sign.bearing->x, "mm", 5)).text());
+  for (const BearingSign& sign : bearings_) {
+    const Message place =
+        say("bearing {1} at {2}", plain(sign.bearing->label), format_quantity(sign.bearing->x, "mm", 5));
+    const double force = sign.bearing->force;
+    add(acts(force) ? say("{1}: {2}", place, format_quantity(force, "N", 4)).text() : place.text());
+  }
   return text;
 }
 

@@ -272,11 +272,13 @@ struct Shaft {
     double x = 0.0;
     double value = 0.0;  // N m, signed
     std::string label;
+    double force = 0.0;  // N, across the shaft; 0: none
   };
   struct Bearing {
     double x = 0.0;
     bool fixed = false;  // it holds the shaft along its axis too
     std::string label;
+    double force = 0.0;  // N, its radial reaction; 0: not known
   };
   struct Place {  // a named section: the governing one
     double x = 0.0;

@@ -60,18 +60,26 @@ double force_y(const Loaded& l, std::size_t s, bool right) {
 double torque(const Loaded& l, std::size_t s, bool) { return l.T[s]; }
 double thrust(const Loaded& l, std::size_t s, bool) { return l.N[s]; }
 
-figure::Shaft side(const Design::Input& in, std::size_t position) {
+double force_of(const Design::Input& in, const Seat& seat, std::size_t position) {
+  return in.K_A * std::hypot(in_si(seat.F_x.at(position)), in_si(seat.F_y.at(position)));
+}
+
+/// Torques and forces with K_A, as in the diagrams.
+figure::Shaft side(const Design::Input& in, const Loaded& loaded, std::size_t position) {
   figure::Shaft shaft;
   for (const Piece& piece : in.pieces)
     shaft.parts.push_back({in_si(piece.l), in_si(piece.d), in_si(piece.d_bore), in_si(right_diameter(piece))});
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
-    const double T = in_si(in.K_A * torque_of(in, i, position));  // as in the diagrams
-    if (T != 0.0) shaft.torques.push_back({in_si(in.seats[i].x), T, std::string(in.seats[i].name.view())});
+    const Seat& seat = in.seats[i];
+    const double T = in_si(in.K_A * torque_of(in, i, position));
+    if (T != 0.0)
+      shaft.torques.push_back({in_si(seat.x), T, std::string(seat.name.view()), force_of(in, seat, position)});
   }
   for (std::size_t i = 0; i < in.supports.size(); ++i) {
     const Support& support = in.supports[i];
     const std::string name = support.name.empty() ? std::to_string(i + 1) : std::string(support.name.view());
-    shaft.bearings.push_back({in_si(support.x), support.holds == Holds::both, name});
+    const double reaction = std::hypot(loaded.x.reactions[i], loaded.y.reactions[i]);
+    shaft.bearings.push_back({in_si(support.x), support.holds == Holds::both, name, reaction});
   }
   return shaft;
 }
@@ -131,7 +139,7 @@ std::vector<figure::Figure> Design::figures(const Input& in, const Result& r) {
   if (!elastic) return {};
   const std::size_t position = most_bent(in, *elastic);
   const Loaded loaded = loaded_at(in, *elastic, position);
-  figure::Shaft shaft = side(in, position);
+  figure::Shaft shaft = side(in, loaded, position);
   shaft.places = governing(r);
   if (std::any_of(loaded.N.begin(), loaded.N.end(), [](double N) { return N != 0.0; }))
     shaft.diagrams.push_back(diagram({"N", "force along the shaft", "N"}, {along(loaded, "N", &thrust)}));

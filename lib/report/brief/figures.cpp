@@ -103,7 +103,7 @@ std::vector<StepFigure> further_figures(const Project& project, const Summary& s
 figure::Figure in_brief(const figure::Figure& figure) {
   figure::Figure brief = figure;
   if (auto* const shaft = std::get_if<figure::Shaft>(&brief.content)) {
-    if (!shaft->diagrams.empty()) brief.caption = "Shaft with its bearings and torques";
+    if (!shaft->diagrams.empty()) brief.caption = "Shaft with its loads and bearing reactions";
     shaft->diagrams.clear();
     shaft->places.clear();
   }

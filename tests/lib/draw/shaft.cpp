@@ -65,6 +65,13 @@ TEST_SUITE("draw") {
     CHECK(says(text, "left"));
     CHECK(has(text, "bearing right at 900 mm"));
     CHECK(overlap(text) == "");
+    shaft.bearings[1].force = 3860.0;
+    shaft.torques[0].force = 1150.0;
+    const std::string loaded = drawn(shaft);
+    CHECK(says(loaded, "3860 N"));
+    CHECK(has(loaded, "N·m, 1150 N"));
+    CHECK(has(loaded, "bearing right at 900 mm: 3860 N"));
+    CHECK(overlap(loaded) == "");
   }
 
   TEST_CASE("short parts keep their dimensions apart") {

@@ -229,11 +229,12 @@ class ReductionCheck {
     return field != nullptr && field->type == FieldInfo::Type::count;
   }
 
-  /// Whether a field with a significant sign takes the negative of a load: tension for compression.
+  /// Whether a field with a significant sign takes the negative of a load: tension for compression. A load with a sign
+  /// of its own, such as that of a cylinder that pushes, may have to be turned over.
   [[nodiscard]] bool is_turned_over(const Operand& operand) const {
     if (!operand.leaf.field->signed_load) return false;
     const auto pair = pair_of(operand);
-    if (!pair || pair->source.si.size() != pair->taken.si.size()) return false;
+    if (!pair || pair->source.signature.other_sign || pair->source.si.size() != pair->taken.si.size()) return false;
     const auto& series = pair->source.si;
     const auto most =
         std::max_element(series.begin(), series.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });

@@ -66,7 +66,7 @@ CandidateFault fault_of_lists(Evaluation& evaluation, const Passing& passing, do
   return worst;
 }
 
-/// The first limit in a list that is not kept, else the first check there without a value; empty if there is none.
+/// The first limit in a list that is not kept, else why the first check there has no value; empty if there is none.
 CandidateFault fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
   CandidateFault outside, unknown;
   EvaluatedRows(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
@@ -76,7 +76,9 @@ CandidateFault fault_of_listed_limits(Evaluation& evaluation, const Passing& pas
     if (!std::isnan(si) && f.role == Role::limit && outside.text.empty())
       outside = fault_of_limit(path_of(evaluation, list, row), f, si);
   });
-  return outside.text.empty() ? unknown : outside;
+  if (!outside.text.empty()) return outside;
+  const Message& gap = evaluation.inputs().table_gap();
+  return unknown.text.empty() || gap.empty() ? unknown : CandidateFault{gap};
 }
 
 /// The first check of the part without a value; empty if all have one.

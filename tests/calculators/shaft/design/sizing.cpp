@@ -163,6 +163,14 @@ TEST_SUITE("shaft sizing" * test::by_case) {
     CHECK(contains(heavy.origin("axle", "pieces[1].d"), "no sizes pass together"));
   }
 
+  TEST_CASE("where no size has a strength, the search says which the table does not give") {
+    Solved solved(
+        "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"18CrNiMo7-6\"\ngroup = \"carbon-steel\"\npieces = [{ l = "
+        "\"100 mm\", d = \"?\" }, { l = \"100 mm\", d = \"?\" }]\nsupports = [{ x = \"0 mm\" }, { x = \"200 mm\" "
+        "}]\nseats = [{ x = \"120 mm\", F_x = \"9 kN\" }]\nS_F = 1.5\nS_D = 1.5\nr_T = 0\n");
+    CHECK(contains(solved.origin("axle", "pieces[1].d"), "R_e"));
+  }
+
   TEST_CASE("sizes of other kinds are still searched for one at a time") {
     const std::string mixed = shaft({"?", "?", "?", "?", "?"}, "");
     CHECK(contains(Solved(test::with(mixed, "S_F", "\"?\"")).errors(), "cannot be searched for"));

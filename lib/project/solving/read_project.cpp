@@ -58,10 +58,11 @@ void find_varying_loads(Project& project, const Declared& declared) {
     Step& step = *project.steps[i];
     for_each_loading_reference(step.input().reading, [&](const std::string& path) {
       const Step* const source = project.find(split_step(path).first);
-      if (source == nullptr) return;
+      if (source == nullptr || step.loads().vary) return;
+      step.loads().vary = source->input().calculator->turns || source->loads().vary;
+      if (step.loads().vary) return;
       const auto signature = declared(path);
-      if (source->input().calculator->turns || source->loads().vary || (signature && signature->axis != nullptr))
-        step.loads().vary = true;
+      step.loads().vary = signature && signature->axis != nullptr;
     });
   }
 }

@@ -24,7 +24,7 @@ namespace belt { struct Flat; struct V; struct VSizing; struct Course; }
 namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct Spatial; struct UniversalJoint; }
 namespace dynamics {
   struct ForceOfMotion; struct Throw; struct Impulse; struct SystemMomentum; struct MassCentre;
-  struct AngularMomentumChange; struct WorkAndEnergy; struct Lift; struct Motion;
+  struct AngularMomentumChange; struct WorkAndEnergy; struct Lift; struct Motion; struct Inertia;
 }
 namespace machine { struct Flywheel; struct RunUp; struct Disc; }
 namespace bearing { struct Rolling; }
@@ -118,6 +118,7 @@ static constexpr std::array all{
     Row{&erased<dynamics::Impulse>},
     Row{&erased<dynamics::SystemMomentum>},
     Row{&erased<dynamics::MassCentre>},
+    Row{&erased<dynamics::Inertia>},
     Row{&erased<dynamics::AngularMomentumChange>},
     Row{&erased<dynamics::WorkAndEnergy>},
     Row{&erased<dynamics::Lift>},

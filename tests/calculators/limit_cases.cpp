@@ -633,6 +633,16 @@ const Case motion[] = {
     {"dynamics.momentum", "bodies = [{ m = \"2 kg\", v_1 = \"3 m/s\" }, { m = \"1 kg\" }]\ne = 0.5", "Delta_E", -2.25},
     {"dynamics.momentum", "bodies = [{ m = \"2 kg\", v_1 = \"3 m/s\" }]\nS = \"4 N*s\"", "V_k", 5.0},
     {"dynamics.mass_centre", R"(bodies = [{ m = "1 kg" }, { m = "1 kg", s = "2 m" }])", "Delta_x", -1.0},
+    // a rod of 12 kg and 1 m hinged at its end, a point mass, a thin shell
+    {"dynamics.inertia", R"(parts = [{ shape = "rod", m = "12 kg", h = "1 m", beta = "90 deg", x = "0.5 m" }])", "J",
+     4.0},
+    {"dynamics.inertia", R"(parts = [{ shape = "rod", m = "12 kg", h = "1 m", beta = "90 deg", x = "0.5 m" }])", "J_S",
+     1.0},
+    {"dynamics.inertia", R"(parts = [{ shape = "point", m = "2 kg", x = "3 m", y = "4 m" }])", "i", 5.0},
+    {"dynamics.inertia", R"(parts = [{ shape = "sphere", m = "3 kg", D = "2 m", d_i = "2 m" }])", "J", 2.0},
+    // a cone of 2400 pi kg, about a diameter of the base: m (3 R^2 + 2 h^2)/20
+    {"dynamics.inertia", R"(parts = [{ shape = "cone", D = "2 m", h = "1 m", beta = "90 deg", x = "0.25 m" }])", "J",
+     600 * pi},
     {"dynamics.angular_momentum", R"(parts = [{ m = "1 kg", R_1 = "1 m", omega_1 = "3 rad/s" }])", "omega_2", 3.0},
     {"dynamics.angular_momentum",
      "parts = [{ m = \"1 kg\", R_1 = \"1 m\", omega_1 = \"3 rad/s\" }]\nM = \"2 N*m\"\nt = \"4 s\"", "omega_2", 11.0},

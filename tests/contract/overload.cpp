@@ -57,6 +57,7 @@ constexpr std::array unbroken{
     Reason{"dynamics.impulse", laws},
     Reason{"dynamics.momentum", laws},
     Reason{"dynamics.mass_centre", laws},
+    Reason{"dynamics.inertia", "it gives the moment of inertia that others take"},
     Reason{"dynamics.angular_momentum", laws},
 };
 

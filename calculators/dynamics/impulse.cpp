@@ -16,7 +16,9 @@ namespace {
 
 using motion::Written;
 
-std::array<Written, 2> laws_of(const Impulse::Input& in) { return {{{"F_x", &in.F_x}, {"F_y", &in.F_y}}}; }
+std::array<Written, 3> laws_of(const Impulse::Input& in) {
+  return {{{"F_x", &in.F_x}, {"F_y", &in.F_y}, {"F_z", &in.F_z}}};
+}
 
 constexpr double followed = 1e-5;  // share of the largest force: smaller pulses may be missed
 
@@ -65,9 +67,10 @@ FieldFault unresolved(const Impulse::Input& in) {
 
 template <class Tracer>
 void take_mean(const Impulse::Input& in, Impulse::Result& r, Tracer& trace) {
-  STEP_TO(r, I, sqrt(r.I_x * r.I_x + r.I_y * r.I_y), "magnitude");
+  STEP_TO(r, I, sqrt(r.I_x * r.I_x + r.I_y * r.I_y + r.I_z * r.I_z), "magnitude");
   STEP_TO(r, F_mx, r.I_x / (in.t_2 - in.t_1), "the constant force of the same impulse");
   STEP_TO(r, F_my, r.I_y / (in.t_2 - in.t_1), "the constant force of the same impulse");
+  STEP_TO(r, F_mz, r.I_z / (in.t_2 - in.t_1), "the constant force of the same impulse");
   STEP_TO(r, F_m, I / (in.t_2 - in.t_1), "the constant force of the same impulse");
 }
 
@@ -89,15 +92,19 @@ Impulse::Result Impulse::evaluate(const Input& in, Tracer& trace) {
   constexpr const char* integral = "integral of the force over the time, [B33]";
   const Momentum I_x = r.I_x = trace.value("I_x", impulse_of(laws_of(in)[0], in), integral);
   const Momentum I_y = r.I_y = trace.value("I_y", impulse_of(laws_of(in)[1], in), integral);
+  const Momentum I_z = r.I_z = trace.value("I_z", impulse_of(laws_of(in)[2], in), integral);
   take_mean(in, r, trace);
   STEP_TO(r, q_1x, m * in.v_1x, "momentum before, [B33]");
   STEP_TO(r, q_1y, m * in.v_1y, "momentum before, [B33]");
+  STEP_TO(r, q_1z, m * in.v_1z, "momentum before, [B33]");
   STEP_TO(r, q_2x, q_1x + I_x, "theorem of momentum, [B33]");
   STEP_TO(r, q_2y, q_1y + I_y, "theorem of momentum, [B33]");
+  STEP_TO(r, q_2z, q_1z + I_z, "theorem of momentum, [B33]");
   STEP_TO(r, v_2x, q_2x / m, "momentum after, [B33]");
   STEP_TO(r, v_2y, q_2y / m, "momentum after, [B33]");
-  STEP_TO(r, v_2, sqrt(v_2x * v_2x + v_2y * v_2y), "magnitude");
-  STEP_TO(r, A, 0.5 * m * (v_2 * v_2 - in.v_1x * in.v_1x - in.v_1y * in.v_1y),
+  STEP_TO(r, v_2z, q_2z / m, "momentum after, [B33]");
+  STEP_TO(r, v_2, sqrt(v_2x * v_2x + v_2y * v_2y + v_2z * v_2z), "magnitude");
+  STEP_TO(r, A, 0.5 * m * (v_2 * v_2 - in.v_1x * in.v_1x - in.v_1y * in.v_1y - in.v_1z * in.v_1z),
           "change of the kinetic energy, [B34] (11)");
   return r;
 }
@@ -107,13 +114,14 @@ template Impulse::Result Impulse::evaluate(const Input&, Trace&);
 
 std::vector<figure::Figure> Impulse::figures(const Input& in, const Result& r) {
   figure::Plot plot = motion::over_time("F", "force", "N");
+  const bool one = in.F_y.empty() && in.F_z.empty();
   for (const Written& law : laws_of(in)) {
     if (law.text->empty()) continue;
     const auto force = [&](double t) { return motion::at(law, t).value; };
     plot.curves.push_back(motion::curve_over(in_si(in.t_1), in_si(in.t_2), 181, law.key, force));
-    plot.curves.back().filled = in.F_y.empty();
+    plot.curves.back().filled = one;
   }
-  if (in.F_y.empty()) plot.bounds.push_back({in_si(r.F_mx), "mean"});
+  if (one) plot.bounds.push_back({in_si(r.F_mx), "mean"});
   return {{"force", "Force over time; its area is the impulse", std::move(plot)}};
 }
 

@@ -41,9 +41,9 @@ v_1x = "-1 m/s"
 
   struct Input {
     Mass mass = unset<Mass>;
-    motion::ForceLaw F_x, F_y;
+    motion::ForceLaw F_x, F_y, F_z;
     Time t_1 = 0.0 * sec, t_2 = unset<Time>;
-    Speed v_1x = 0.0 * m_per_s, v_1y = 0.0 * m_per_s;
+    Speed v_1x = 0.0 * m_per_s, v_1y = 0.0 * m_per_s, v_1z = 0.0 * m_per_s;
   };
   static constexpr Fields inputs{
       Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
@@ -51,30 +51,40 @@ v_1x = "-1 m/s"
       FormulaField{&Input::F_y, "F_y", "force along y as a formula of the time t; omitted: none"}
           .load()
           .may_be_missing(),
+      FormulaField{&Input::F_z, "F_z", "force along z as a formula of the time t; omitted: none"}
+          .load()
+          .may_be_missing(),
       Field{&Input::t_1, "t_1", sec, "time at which the force starts"},
       Field{&Input::t_2, "t_2", sec, "time at which it ends, after t_1"},
       Field{&Input::v_1x, "v_1x", m_per_s, "velocity along x before"},
-      Field{&Input::v_1y, "v_1y", m_per_s, "velocity along y before"}};
+      Field{&Input::v_1y, "v_1y", m_per_s, "velocity along y before"},
+      Field{&Input::v_1z, "v_1z", m_per_s, "velocity along z before"}};
 
   struct Result {
-    Momentum I_x = unset<Momentum>, I_y = unset<Momentum>, I = unset<Momentum>;
-    Force F_mx = unset<Force>, F_my = unset<Force>, F_m = unset<Force>;
-    Momentum q_1x = unset<Momentum>, q_1y = unset<Momentum>, q_2x = unset<Momentum>, q_2y = unset<Momentum>;
-    Speed v_2x = unset<Speed>, v_2y = unset<Speed>, v_2 = unset<Speed>;
+    Momentum I_x = unset<Momentum>, I_y = unset<Momentum>, I_z = unset<Momentum>, I = unset<Momentum>;
+    Force F_mx = unset<Force>, F_my = unset<Force>, F_mz = unset<Force>, F_m = unset<Force>;
+    Momentum q_1x = unset<Momentum>, q_1y = unset<Momentum>, q_1z = unset<Momentum>;
+    Momentum q_2x = unset<Momentum>, q_2y = unset<Momentum>, q_2z = unset<Momentum>;
+    Speed v_2x = unset<Speed>, v_2y = unset<Speed>, v_2z = unset<Speed>, v_2 = unset<Speed>;
     Moment A = unset<Moment>;
   };
   static constexpr Fields results{Field{&Result::I_x, "I_x", N_s, "impulse along x"},
                                   Field{&Result::I_y, "I_y", N_s, "impulse along y"},
+                                  Field{&Result::I_z, "I_z", N_s, "impulse along z"},
                                   Field{&Result::I, "I", N_s, "impulse"},
-                                  Field{&Result::F_mx, "F_mx", N, "mean force along x"}.load().with("F_my"),
-                                  Field{&Result::F_my, "F_my", N, "mean force along y"}.load().with("F_mx"),
+                                  Field{&Result::F_mx, "F_mx", N, "mean force along x"}.load().with("F_my, F_mz"),
+                                  Field{&Result::F_my, "F_my", N, "mean force along y"}.load().with("F_mx, F_mz"),
+                                  Field{&Result::F_mz, "F_mz", N, "mean force along z"}.load().with("F_mx, F_my"),
                                   Field{&Result::F_m, "F_m", N, "mean force"}.load(),
                                   Field{&Result::q_1x, "q_1x", kg_m_per_s, "momentum along x before"},
                                   Field{&Result::q_1y, "q_1y", kg_m_per_s, "momentum along y before"},
+                                  Field{&Result::q_1z, "q_1z", kg_m_per_s, "momentum along z before"},
                                   Field{&Result::q_2x, "q_2x", kg_m_per_s, "momentum along x after"},
                                   Field{&Result::q_2y, "q_2y", kg_m_per_s, "momentum along y after"},
+                                  Field{&Result::q_2z, "q_2z", kg_m_per_s, "momentum along z after"},
                                   Field{&Result::v_2x, "v_2x", m_per_s, "velocity along x after"},
                                   Field{&Result::v_2y, "v_2y", m_per_s, "velocity along y after"},
+                                  Field{&Result::v_2z, "v_2z", m_per_s, "velocity along z after"},
                                   Field{&Result::v_2, "v_2", m_per_s, "speed after"},
                                   Field{&Result::A, "A", J, "work of the force: the change of the kinetic energy"}};
 
@@ -84,10 +94,10 @@ v_1x = "-1 m/s"
   static FieldFault gap(const Input& in);
   static constexpr bool turns = true;
   static constexpr std::array rules{
-      Rule<Input>{&laws_read, "F_x, F_y", "F_x and F_y must be forces as formulas of t", &law_fault},
+      Rule<Input>{&laws_read, "F_x, F_y, F_z", "F_x, F_y and F_z must be forces as formulas of t", &law_fault},
       Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
                   "the force must end after its start"},
-      Rule<Input>{&laws_are_smooth, "F_x, F_y, t_1, t_2", "the laws must have values at these times", &gap}};
+      Rule<Input>{&laws_are_smooth, "F_x, F_y, F_z, t_1, t_2", "the laws must have values at these times", &gap}};
 
   static constexpr std::array<Mode<Input>, 0> modes{};
 

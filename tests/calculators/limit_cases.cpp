@@ -628,6 +628,7 @@ const Case motion[] = {
     {"dynamics.impulse", blow, "v_2", std::hypot(11.0, 18.0)},
     {"dynamics.impulse", blow, "A", 10.0 * 12 + 20 * 16},  // forces by their paths
     {"dynamics.impulse", "F_x = \"0 N\"", "v_2x", -1.0},
+    {"dynamics.impulse", "F_x = \"0 N\"\nF_z = \"30 N\"\nv_1z = \"4 m/s\"", "v_2z", 4.2},
     {"dynamics.momentum", R"(bodies = [{ m = "5 kg", v_1 = "4 m/s", v_2 = "4 m/s" }, { m = "1 kg", v_1 = "4 m/s" }])",
      "Delta_E", 0.0},
     {"dynamics.momentum", "bodies = [{ m = \"2 kg\", v_1 = \"3 m/s\" }, { m = \"1 kg\" }]\ne = 0.5", "Delta_E", -2.25},

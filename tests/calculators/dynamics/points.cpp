@@ -95,8 +95,29 @@ TEST_SUITE("dynamics impulse") {
     CHECK(near(s("A"), 30.0 * (1.0 + s("v_2x")) / 2.0 - 10.0 * (2.0 + s("v_2y")) / 2.0));
   }
 
+  TEST_CASE("along three axes: momentum, mean force and work, the axes being equal") {
+    const std::string more = "m = \"12 kg\"\nt_2 = \"4 s\"\n";
+    const SolvedStep s("dynamics.impulse", more +
+                                               "F_x = \"21 N\"\nF_y = \"-11 N\"\nF_z = \"44 N\"\nv_1x = \"100 m/s\"\n"
+                                               "v_1y = \"84.66666667 m/s\"\nv_1z = \"89.33333333 m/s\"\n");
+    CHECK(near(s("v_2x"), 107.0));  // [YaGuru-3759452]
+    CHECK(near(s("v_2z"), 104.0));
+    CHECK(near(s("I"), 4.0 * std::sqrt(21.0 * 21 + 11 * 11 + 44 * 44)));
+    CHECK(near(s("F_m"), s("I") / 4.0));
+    CHECK(near(s("v_2"), std::sqrt(107.0 * 107 + 81.0 * 81 + 104.0 * 104)));
+    const double mean = 0.5 * (89.33333333 + 104.0);  // of a constant force
+    CHECK(near(s("A"), 4.0 * (21 * 103.5 - 11 * 0.5 * (84.66666667 + 81.0) + 44 * mean)));
+    const std::string law = "\"6 N*t/(1 s)\"\n";
+    const SolvedStep x("dynamics.impulse", more + "F_x = " + law + "v_1x = \"2 m/s\"\n");
+    const SolvedStep z("dynamics.impulse", more + "F_x = \"0 N\"\nF_z = " + law + "v_1z = \"2 m/s\"\n");
+    for (const char* const result : {"I", "F_m", "v_2", "A"}) CHECK(x(result) == z(result));
+    CHECK(x("q_2x") == z("q_2z"));
+    CHECK(z("v_2x") == 0.0);
+  }
+
   TEST_CASE("what is no force over a time is refused") {
-    const Refused rows[] = {{"m = \"2 kg\"\nF_x = \"30 kg\"\nt_2 = \"1 s\"\n", "force"},
+    const Refused rows[] = {{"m = \"2 kg\"\nF_x = \"30 N\"\nF_z = \"1 N*tan(t/(1 s))\"\nt_2 = \"2 s\"\n", "F_z"},
+                            {"m = \"2 kg\"\nF_x = \"30 kg\"\nt_2 = \"1 s\"\n", "force"},
                             {"m = \"2 kg\"\nF_x = \"30 N\"\nt_1 = \"1 s\"\nt_2 = \"1 s\"\n", "end after its start"},
                             {"m = \"2 kg\"\nF_x = \"30 N/(t/(1 s))\"\nt_2 = \"1 s\"\n", "no value"},
                             {"m = \"2 kg\"\nF_x = \"1 N*tan(t/(1 s))\"\nt_2 = \"2 s\"\n", "leaps"},

@@ -108,8 +108,10 @@ Mass Lift::reduced_mass(const Input& in) {
 }
 
 template <class Tracer>
-Lift::Result Lift::evaluate(const Input& in, Tracer& trace) {
+Lift::Result Lift::evaluate(const Input& given, Tracer& trace) {
   Result r;
+  Input in = given;
+  in.g = r.g = gravity_of(given, trace);
   reduce(in, r, trace);
   r.moves = moves_of(in, r);
   accelerate(r, trace);

@@ -7,6 +7,7 @@
 // slip and weight of the threads, a thread acting down a slope, and whether one along a level track is tight.
 #pragma once
 
+#include "calculators/dynamics/gravity.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -78,14 +79,16 @@ wheels = [
     Speed v_0 = 0.0 * m_per_s;
     List<Weight, most_parts> weights;
     List<Wheel, most_parts> wheels;
-    Acceleration g = usual_gravity;
+    Acceleration g = unset<Acceleration>;
+    double latitude = unset<double>;
+    Length altitude = unset<Length>;
   };
-  static constexpr Fields inputs{
-      Field{&Input::s, "s", m, "travel over which the motion is calculated"}.positive().usually(1e-3, 1e4),
-      Field{&Input::v_0, "v_0", m_per_s, "speed of the coordinate at the start"}.at_least(0),
-      ListField{&Input::weights, "weights", "bodies that go up and down, or along tracks"}.may_be_missing(),
-      ListField{&Input::wheels, "wheels", "drums and pulleys"}.may_be_missing(),
-      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84).customarily_at_least(9.7)};
+  static constexpr auto inputs =
+      join(Fields{Field{&Input::s, "s", m, "travel over which the motion is calculated"}.positive().usually(1e-3, 1e4),
+                  Field{&Input::v_0, "v_0", m_per_s, "speed of the coordinate at the start"}.at_least(0),
+                  ListField{&Input::weights, "weights", "bodies that go up and down, or along tracks"}.may_be_missing(),
+                  ListField{&Input::wheels, "wheels", "drums and pulleys"}.may_be_missing()},
+           gravity_fields<Input>());
 
   struct WeightState {
     Name name;
@@ -122,6 +125,7 @@ wheels = [
     Force T_hang = unset<Force>, T_slope = unset<Force>;
     List<WeightState, most_parts> weight_states;
     List<WheelState, most_parts> wheel_states;
+    Acceleration g = unset<Acceleration>;
   };
   static constexpr Fields results{
       Field{&Result::m_red, "m_red", kg, "mass reduced to the path s"},
@@ -147,7 +151,8 @@ wheels = [
           .limit(0, std::numeric_limits<double>::infinity())
           .where_it_applies(),
       ListField{&Result::weight_states, "weight_states", "the weights at the end of the path"},
-      ListField{&Result::wheel_states, "wheel_states", "the wheels at the end of the path"}};
+      ListField{&Result::wheel_states, "wheel_states", "the wheels at the end of the path"},
+      Field{&Result::g, "g", m_per_s2, "weight per mass of the calculation"}};
 
   static constexpr bool hangs(const Weight& w) { return w.alpha >= pi / 2.0 * (1.0 - 1e-12); }
   static constexpr bool is_level(const Weight& w) { return w.alpha == 0.0; }
@@ -156,12 +161,14 @@ wheels = [
     return std::any_of(in.weights.begin(), in.weights.end(), track);
   }
   static Mass reduced_mass(const Input& in);
-  static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return !(in.weights.empty() && in.wheels.empty()); }, "weights, wheels",
-                  "give at least one weight or wheel"},
-      Rule<Input>{
-          [](const Input& in) { return in_si(reduced_mass(in)) > 0.0 || (in.weights.empty() && in.wheels.empty()); },
-          "weights, wheels", "at least one part with a mass must move with the path s"}};
+  static constexpr std::array rules =
+      join(std::array{Rule<Input>{[](const Input& in) { return !(in.weights.empty() && in.wheels.empty()); },
+                                  "weights, wheels", "give at least one weight or wheel"},
+                      Rule<Input>{[](const Input& in) {
+                                    return in_si(reduced_mass(in)) > 0.0 || (in.weights.empty() && in.wheels.empty());
+                                  },
+                                  "weights, wheels", "at least one part with a mass must move with the path s"}},
+           gravity_rules<Input>());
 
   static constexpr bool turns = true;
   static constexpr std::array modes{

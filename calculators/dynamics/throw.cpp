@@ -52,9 +52,11 @@ void aim(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
 }  // namespace
 
 template <class Tracer>
-Throw::Result Throw::evaluate(const Input& in, Tracer& trace) {
-  const auto& [V_0, theta, h, L_req, g] = in;
+Throw::Result Throw::evaluate(const Input& given, Tracer& trace) {
   Result r;
+  Input in = given;
+  in.g = r.g = gravity_of(given, trace);
+  const auto& [V_0, theta, h, L_req, g, latitude, altitude] = in;
   r.V_x = motion::without_rounding(in_si(V_0) * cos(theta), in_si(V_0)) * m_per_s;
   trace.value("V_x", r.V_x, "part of the speed along x, constant, [B32]");
   STEP_TO(r, V_z, V_0 * sin(theta), "part of the speed along z at the throw, [B32]");
@@ -70,12 +72,12 @@ Throw::Result Throw::evaluate(const Input& in, Tracer& trace) {
 template Throw::Result Throw::evaluate(const Input&, NoTrace&);
 template Throw::Result Throw::evaluate(const Input&, Trace&);
 
-std::vector<figure::Figure> Throw::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Throw::figures(const Input&, const Result& r) {
   if (!is_set(r.t_L)) return {};
   figure::Scheme scheme;
   figure::Scheme::Path way{"", {}};
   const auto at = [&](double t) {
-    return figure::Point{in_si(r.V_x) * t, in_si(r.V_z) * t - 0.5 * in_si(in.g) * t * t};
+    return figure::Point{in_si(r.V_x) * t, in_si(r.V_z) * t - 0.5 * in_si(r.g) * t * t};
   };
   constexpr int points = 91;
   for (int i = 0; i < points; ++i) way.points.push_back(at(in_si(r.t_L) * i / (points - 1)));

@@ -4,6 +4,7 @@
 // where the body lands at the height of the throw, flatter where it lands lower; that of greatest height is 90 deg.
 #pragma once
 
+#include "calculators/dynamics/gravity.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -40,16 +41,18 @@ theta = "30 deg"
     double theta = unset<double>;
     Length h = 0.0 * m;
     Length L_req = unset<Length>;
-    Acceleration g = usual_gravity;
+    Acceleration g = unset<Acceleration>;
+    double latitude = unset<double>;
+    Length altitude = unset<Length>;
   };
-  static constexpr Fields inputs{
-      Field{&Input::V_0, "V_0", m_per_s, "launch speed"}.positive().usually(0.01, 1000),
-      Field{&Input::theta, "theta", deg, "launch angle above the horizontal"}.within(-90, 90),
-      Field{&Input::h, "h", m, "height of the throw above the landing, negative where it lands higher"},
-      Field{&Input::L_req, "L_req", m, "distance that is to be reached at theta; and which angles reach it"}
-          .positive()
-          .may_be_missing(),
-      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84).customarily_at_least(9.7)};
+  static constexpr auto inputs =
+      join(Fields{Field{&Input::V_0, "V_0", m_per_s, "launch speed"}.positive().usually(0.01, 1000),
+                  Field{&Input::theta, "theta", deg, "launch angle above the horizontal"}.within(-90, 90),
+                  Field{&Input::h, "h", m, "height of the throw above the landing, negative where it lands higher"},
+                  Field{&Input::L_req, "L_req", m, "distance that is to be reached at theta; and which angles reach it"}
+                      .positive()
+                      .may_be_missing()},
+           gravity_fields<Input>());
 
   struct Result {
     Speed V_x = unset<Speed>, V_z = unset<Speed>;
@@ -63,6 +66,7 @@ theta = "30 deg"
     Length L_max = unset<Length>;
     double theta_flat = unset<double>, theta_steep = unset<double>;
     double u_h = unset<double>, u_L = unset<double>;
+    Acceleration g = unset<Acceleration>;
   };
   static constexpr Fields results{
       Field{&Result::V_x, "V_x", m_per_s, "horizontal speed, all the time"},
@@ -80,11 +84,13 @@ theta = "30 deg"
       Field{&Result::theta_steep, "theta_steep", deg, "steeper of the angles that reach L_req"},
       Field{&Result::u_h, "u_h", ratio, "landing: its height over that of the highest point, above the throw"}.check(),
       Field{&Result::u_L, "u_L", ratio, "reach: the distance that is to be reached over that of this throw"}.check(
-          "L_req")};
+          "L_req"),
+      Field{&Result::g, "g", m_per_s2, "weight per mass of the calculation"}};
 
-  static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return !(in_si(in.h) < 0.0 && in.theta <= 0.0); }, "theta, h",
-                  "with theta <= 0 the body cannot land higher: increase theta, or give h >= 0"}};
+  static constexpr std::array rules =
+      join(std::array{Rule<Input>{[](const Input& in) { return !(in_si(in.h) < 0.0 && in.theta <= 0.0); }, "theta, h",
+                                  "with theta <= 0 the body cannot land higher: increase theta, or give h >= 0"}},
+           gravity_rules<Input>());
 
   static constexpr std::array modes{
       Mode<Input>{"landing", "height of the landing point", &always<Input>}.judged_by("u_h"),

@@ -46,8 +46,9 @@ void take_times(const Input& in, Result& r, Tracer& trace) {
 
 template <class Tracer>
 WorkAndEnergy::Result WorkAndEnergy::evaluate(const Input& in, Tracer& trace) {
-  const auto& [m, s, alpha, mu, F, v_1, c, z_1, z_2, g] = in;
+  const auto& [m, s, alpha, mu, F, v_1, c, z_1, z_2, given, latitude, altitude] = in;
   Result r;
+  const Acceleration g = r.g = gravity_of(in, trace);
   const double c_alpha = motion::without_rounding(cos(alpha), 1.0);
   trace.value("c_alpha", c_alpha, "cosine of the slope, nothing on a vertical path");
   STEP_TO(r, R, m * g * c_alpha, "part of the weight across the path");

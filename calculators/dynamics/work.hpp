@@ -6,6 +6,7 @@
 // spring is -c (z_2^2 - z_1^2)/2; -c (z_2 - z_1)^2/2 holds from the unloaded spring only.
 #pragma once
 
+#include "calculators/dynamics/gravity.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -45,19 +46,21 @@ mu = 0.1
     Speed v_1 = 0.0 * m_per_s;
     Stiffness c = unset<Stiffness>;
     Length z_1 = unset<Length>, z_2 = unset<Length>;
-    Acceleration g = usual_gravity;
+    Acceleration g = unset<Acceleration>;
+    double latitude = unset<double>;
+    Length altitude = unset<Length>;
   };
-  static constexpr Fields inputs{
-      Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
-      Field{&Input::s, "s", m, "length of the path"}.positive().usually(1e-6, 1e6),
-      Field{&Input::alpha, "alpha", deg, "slope of the path, positive where it rises"}.within(-90, 90),
-      Field{&Input::mu, "mu", ratio, "coefficient of sliding friction"}.at_least(0).usually(0, 1),
-      Field{&Input::F, "F", N, "constant force along the path, positive forwards"}.load(),
-      Field{&Input::v_1, "v_1", m_per_s, "speed at the start"}.at_least(0),
-      Field{&Input::c, "c", N_per_mm, "stiffness of a spring along the path"}.positive().may_be_missing(),
-      Field{&Input::z_1, "z_1", mm, "deformation of the spring at the start"}.may_be_missing(),
-      Field{&Input::z_2, "z_2", mm, "deformation of the spring at the end"}.may_be_missing(),
-      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84).customarily_at_least(9.7)};
+  static constexpr auto inputs =
+      join(Fields{Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
+                  Field{&Input::s, "s", m, "length of the path"}.positive().usually(1e-6, 1e6),
+                  Field{&Input::alpha, "alpha", deg, "slope of the path, positive where it rises"}.within(-90, 90),
+                  Field{&Input::mu, "mu", ratio, "coefficient of sliding friction"}.at_least(0).usually(0, 1),
+                  Field{&Input::F, "F", N, "constant force along the path, positive forwards"}.load(),
+                  Field{&Input::v_1, "v_1", m_per_s, "speed at the start"}.at_least(0),
+                  Field{&Input::c, "c", N_per_mm, "stiffness of a spring along the path"}.positive().may_be_missing(),
+                  Field{&Input::z_1, "z_1", mm, "deformation of the spring at the start"}.may_be_missing(),
+                  Field{&Input::z_2, "z_2", mm, "deformation of the spring at the end"}.may_be_missing()},
+           gravity_fields<Input>());
 
   struct Result {
     Force R = unset<Force>, T = unset<Force>;
@@ -68,6 +71,7 @@ mu = 0.1
     Power P_m = unset<Power>, P_2 = unset<Power>;
     Length s_stop = unset<Length>;
     double u_s = unset<double>;
+    Acceleration g = unset<Acceleration>;
   };
   static constexpr Fields results{
       Field{&Result::R, "R", N, "force of the plane on the body"}.load(),
@@ -86,13 +90,15 @@ mu = 0.1
       Field{&Result::s_stop, "s_stop", m,
             "path to a standstill under these forces; none where they drive, or with a "
             "spring"},
-      Field{&Result::u_s, "u_s", ratio, "reach: the work against the motion over the energy that there is"}.check()};
+      Field{&Result::u_s, "u_s", ratio, "reach: the work against the motion over the energy that there is"}.check(),
+      Field{&Result::g, "g", m_per_s2, "weight per mass of the calculation"}};
 
-  static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return is_set(in.c) == (is_set(in.z_1) && is_set(in.z_2)); }, "c, z_1, z_2",
-                  "a spring needs c, z_1 and z_2: give all three or none"},
-      Rule<Input>{[](const Input& in) { return is_set(in.c) || !(is_set(in.z_1) || is_set(in.z_2)); }, "z_1, z_2, c",
-                  "a deformation needs the stiffness c of the spring"}};
+  static constexpr std::array rules =
+      join(std::array{Rule<Input>{[](const Input& in) { return is_set(in.c) == (is_set(in.z_1) && is_set(in.z_2)); },
+                                  "c, z_1, z_2", "a spring needs c, z_1 and z_2: give all three or none"},
+                      Rule<Input>{[](const Input& in) { return is_set(in.c) || !(is_set(in.z_1) || is_set(in.z_2)); },
+                                  "z_1, z_2, c", "a deformation needs the stiffness c of the spring"}},
+           gravity_rules<Input>());
 
   static constexpr std::array modes{Mode<Input>{"reach", "travel to the path end", &always<Input>}.judged_by("u_s")};
 

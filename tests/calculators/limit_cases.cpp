@@ -621,6 +621,8 @@ const Case motion[] = {
     {"dynamics.throw", "h = \"20.387359836901 m\"\nL_req = \"40.774719673802 m\"", "theta_flat", 0.0},
     {"dynamics.throw", "h = \"20.387359836901 m\"\nL_req = \"40.774719673802 m\"", "theta_steep", std::atan(2.0)},
     {"dynamics.throw", "", "V_L", 20.0},
+    {"dynamics.throw", "latitude = \"0 deg\"", "g", 9.7803253359},
+    {"dynamics.lift", "latitude = \"0 deg\"\naltitude = \"0 m\"", "g", 9.7803253359},
     {"dynamics.impulse", blow, "F_mx", 10.0},
     {"dynamics.impulse", blow, "F_my", -20.0},
     {"dynamics.impulse", blow, "F_m", std::sqrt(500.0)},

@@ -68,6 +68,37 @@ TEST_SUITE("dynamics throw") {
           loadpath::account::State::fail);
   }
 
+  TEST_CASE("the weight by latitude and altitude") {
+    const std::string level = "V_0 = \"20 m/s\"\ntheta = \"30 deg\"\n";
+    const auto g_at = [&](const std::string& place) { return SolvedStep("dynamics.throw", level + place)("g"); };
+    CHECK(near(g_at("latitude = \"0 deg\"\n"), 9.7803253359));
+    CHECK(near(g_at("latitude = \"-90 deg\"\n"), 9.8321849378, 1e-11));      // [WGS84]
+    CHECK(std::abs(g_at("latitude = \"45 deg\"\n") - 9.8061992026) < 2e-6);  // [CFR-1065], constants of 1980
+    CHECK(g_at("latitude = \"45 deg\"\naltitude = \"0 m\"\n") == g_at("latitude = \"45 deg\"\n"));
+    // the free-air gradient of the field, 0.3086 mGal/m
+    const double gradient = (g_at("latitude = \"45 deg\"\n") - g_at("latitude = \"45 deg\"\naltitude = \"1 km\"\n"));
+    CHECK(std::abs(gradient / 1000 - 3.086e-6) < 1.5e-9);
+    // 100 km above the pole: GM/r^2 less the oblateness, 3 J_2 (a/r)^2 + 5 J_4 (a/r)^4
+    CHECK(near(g_at("latitude = \"90 deg\"\naltitude = \"100 km\"\n"), 9.53094266, 2e-5));
+    CHECK(g_at("") == 9.81);
+    CHECK(g_at("g = \"9.8 m/s^2\"\n") == 9.8);
+    const SolvedStep here("dynamics.throw", level + "latitude = \"60 deg\"\n");
+    CHECK(near(here("L"), 400 * std::sin(3.141592653589793 / 3) / here("g")));
+    const SolvedStep slide("dynamics.work", "m = \"2 kg\"\ns = \"3 m\"\nalpha = \"-90 deg\"\nlatitude = \"60 deg\"\n");
+    CHECK(near(slide("A_G"), 6 * here("g")));
+    const SolvedStep lift("dynamics.lift", "s = \"3 m\"\nlatitude = \"60 deg\"\nweights = [{ m = \"2 kg\" }]\n");
+    CHECK(near(lift("a"), here("g")));
+  }
+
+  TEST_CASE("a weight that is given twice, or an altitude somewhere, is refused") {
+    const std::string level = "V_0 = \"20 m/s\"\ntheta = \"30 deg\"\n";
+    const std::string twice = level + "g = \"9.81 m/s^2\"\nlatitude = \"45 deg\"\n";
+    const std::string nowhere = level + "altitude = \"500 m\"\n", beyond = level + "latitude = \"91 deg\"\n";
+    const Refused rows[] = {
+        {twice.c_str(), "give one of them"}, {nowhere.c_str(), "needs the latitude"}, {beyond.c_str(), "must be"}};
+    check_refusals("dynamics.throw", rows);
+  }
+
   TEST_CASE("what cannot be thrown is refused") {
     const Refused rows[] = {{"V_0 = \"0 m/s\"\ntheta = \"45 deg\"\n", "must be"},
                             {"V_0 = \"9 m/s\"\ntheta = \"91 deg\"\n", "must be"},

@@ -25,6 +25,7 @@ namespace motion { struct Point; struct Rotation; struct Plane; struct Compound;
 namespace dynamics {
   struct ForceOfMotion; struct Throw; struct Impulse; struct SystemMomentum; struct MassCentre;
   struct AngularMomentumChange; struct WorkAndEnergy; struct Lift; struct Motion; struct Inertia;
+  struct PathWork;
 }
 namespace machine { struct Flywheel; struct RunUp; struct Disc; }
 namespace bearing { struct Rolling; }
@@ -121,6 +122,7 @@ static constexpr std::array all{
     Row{&erased<dynamics::Inertia>},
     Row{&erased<dynamics::AngularMomentumChange>},
     Row{&erased<dynamics::WorkAndEnergy>},
+    Row{&erased<dynamics::PathWork>},
     Row{&erased<dynamics::Lift>},
     Row{&erased<machine::Flywheel>, &machine::make_flywheel_step},
     Row{&erased<machine::RunUp>},

@@ -665,6 +665,10 @@ const Case motion[] = {
     {"dynamics.work", "mu = 0\nalpha = \"-90 deg\"\nv_1 = \"3 m/s\"", "t", (std::sqrt(9 + 4 * g) - 3) / g},
     {"dynamics.work", "mu = 0\nalpha = \"-90 deg\"\nv_1 = \"3 m/s\"", "E_1", 4.5},
     {"dynamics.work", "mu = 0\nalpha = \"-90 deg\"", "v_2", std::sqrt(2 * g * 2)},
+    // a circle: no work of a central force or on a way back, and that of a constant force along it
+    {"dynamics.path_work", "z = \nt_2 = \"6.283185307179586 s\"", "A", 0.0},
+    {"dynamics.path_work", "z = \nF_z = \nF_x = \"5 N*v_x/v\"\nF_y = \"5 N*v_y/v\"\nt_2 = \"2 s\"", "A", 10.0},
+    {"dynamics.path_work", "z = \nF_z = \nF_x = \"5 N*v_x/v\"\nF_y = \"5 N*v_y/v\"\nt_2 = \"2 s\"", "F_m", 5.0},
     {"dynamics.lift", "weights = [{ m = \"1 kg\" }]\nwheels = ", "a", g},
     {"dynamics.lift",  // on a slope less steep than its angle of friction a body stays
      "weights = [{ m = \"8 kg\", alpha = \"30 deg\", mu = 0.6 }]\nwheels = ", "F", 0.0},

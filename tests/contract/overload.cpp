@@ -52,6 +52,7 @@ constexpr std::array unbroken{
     Reason{"motion.compound", laws},
     Reason{"dynamics.force", laws},
     Reason{"dynamics.motion", laws},
+    Reason{"dynamics.path_work", laws},
     Reason{"motion.spatial", laws},
     Reason{"motion.universal_joint", "speeds and torques; the strength of the joint is not covered"},
     Reason{"dynamics.impulse", laws},

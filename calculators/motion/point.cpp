@@ -70,7 +70,17 @@ void split_in_space(bool rests, Point::Result& r, Tracer& trace) {
   STEP_TO(r, a_n, sqrt(c_x * c_x + c_y * c_y + c_z * c_z) / v, "part of the acceleration across the tangent");
 }
 
-/// Curvature and direction, where there is a tangent.
+/// The direction of the velocity, which is that of the tangent.
+template <class Tracer>
+void point_along(bool plane, Point::Result& r, Tracer& trace) {
+  STEP_TO(r, cos_x, r.v_x / r.v, "direction cosine of the velocity, [B26]");
+  STEP_TO(r, cos_y, r.v_y / r.v, "direction cosine of the velocity, [B26]");
+  r.cos_z = 0.0;
+  if (plane) return;
+  STEP_TO(r, cos_z, r.v_z / r.v, "direction cosine of the velocity, [B26]");
+}
+
+/// Curvature and direction in the plane, where there is a tangent.
 template <class Tracer>
 void bend(Point::Result& r, Tracer& trace) {
   if (in_si(abs(r.v_x)) + in_si(abs(r.v_y)) > 0.0) r.gamma = std::atan2(in_si(r.v_y), in_si(r.v_x));
@@ -141,6 +151,7 @@ Point::Result Point::evaluate(const Input& in, Tracer& trace) {
   } else {
     split_in_space(rests, r, trace);
   }
+  if (!rests) point_along(plane, r, trace);
   if (!rests) bend(r, trace);
   r.change = change_of(rests, r.a_tau, r.a);
   if (is_set(in.t_1)) take_range(in, path, r, trace);

@@ -97,7 +97,7 @@ t_2 = "2 s"
     Acceleration a = unset<Acceleration>, a_tau = unset<Acceleration>, a_n = unset<Acceleration>;
     Twist kappa = unset<Twist>;
     Length rho = unset<Length>;
-    double gamma = unset<double>;
+    double gamma = unset<double>, cos_x = unset<double>, cos_y = unset<double>, cos_z = unset<double>;
     Change change = Change::at_rest;
     Length L = unset<Length>, Delta_r = unset<Length>;
     Speed v_m = unset<Speed>, v_L = unset<Speed>, v_max = unset<Speed>;
@@ -121,6 +121,9 @@ t_2 = "2 s"
       Field{&Result::kappa, "kappa", per_m, "curvature of the path"},
       Field{&Result::rho, "rho", m, "radius of curvature; none where the path is straight"},
       Field{&Result::gamma, "gamma", deg, "direction of the velocity in the plane xy, from x"},
+      Field{&Result::cos_x, "cos_x", ratio, "direction cosine of the velocity: of its angle to x"},
+      Field{&Result::cos_y, "cos_y", ratio, "direction cosine of the velocity: of its angle to y"},
+      Field{&Result::cos_z, "cos_z", ratio, "direction cosine of the velocity: of its angle to z"},
       Choice{&Result::change, "change", "the point accelerates or decelerates"},
       Field{&Result::L, "L", m, "distance travelled from t_1 to t_2"},
       Field{&Result::Delta_r, "Delta_r", m, "displacement from t_1 to t_2, end from start"},

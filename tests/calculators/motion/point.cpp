@@ -28,6 +28,19 @@ TEST_SUITE("motion point") {
     CHECK(near(fast("rho"), slow("rho")));
   }
 
+  TEST_CASE("the direction cosines of the velocity: published, their squares add up to one, none at rest") {
+    const auto p = point("x = \"2 m/s*t\"\ny = \"1 m/s^2*t^2\"\nz = \"2 m/s^2*t^2\"\nt = \"1 s\"\n");
+    CHECK(near(p("cos_x"), 1 / std::sqrt(6.0)));  // [AssignmentExpert-122826]
+    CHECK(near(p("cos_y"), 1 / std::sqrt(6.0)));
+    CHECK(near(p("cos_z"), 2 / std::sqrt(6.0)));
+    CHECK(near(p("cos_x") * p("cos_x") + p("cos_y") * p("cos_y") + p("cos_z") * p("cos_z"), 1.0));
+    const auto plane = point(ellipse + "t = \"0.2 s\"\n");
+    CHECK(near(plane("cos_x"), std::cos(plane("gamma"))));
+    CHECK(near(plane("cos_y"), std::sin(plane("gamma"))));
+    CHECK(plane("cos_z") == 0.0);
+    CHECK(std::isnan(point("x = \"1 m/s^2*t^2\"\nt = \"0 s\"\n")("cos_x")));
+  }
+
   TEST_CASE("a straight path has no radius of curvature, and its way counts both ways of a return") {
     const auto p = point("x = \"2 m*sin(pi*t/(1 s))\"\nt = \"0.1 s\"\nt_1 = \"0 s\"\nt_2 = \"1 s\"\n");
     CHECK(std::isnan(p("rho")));

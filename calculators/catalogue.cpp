@@ -21,7 +21,7 @@ namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; }
 namespace drive { struct Train; struct FrictionWheels; }
 namespace belt { struct Flat; struct V; struct VSizing; struct Course; }
-namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct Spatial; struct UniversalJoint; }
+namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct Spatial; struct UniversalJoint; struct AlongPath; }
 namespace dynamics {
   struct ForceOfMotion; struct Throw; struct Impulse; struct SystemMomentum; struct MassCentre;
   struct AngularMomentumChange; struct WorkAndEnergy; struct Lift; struct Motion; struct Inertia;
@@ -108,6 +108,7 @@ static constexpr std::array all{
     Row{&erased<belt::VSizing>},
     Row{&erased<belt::Course>},
     Row{&erased<motion::Point>},
+    Row{&erased<motion::AlongPath>},
     Row{&erased<motion::Rotation>},
     Row{&erased<motion::Plane>},
     Row{&erased<motion::Compound>},

@@ -574,6 +574,11 @@ const char* const blow =
 
 const Case motion[] = {
     {"motion.point", "x = \"3 m/s*t\"\ny = \"4 m/s*t\"", "kappa", 0.0},
+    // a screw line of 3 m radius that rises by 4 m per radian: 20 m/s, 3/25 of its square
+    {"motion.along_path", "x = \"3 m*cos(q)\"\ny = \"3 m*sin(q)\"\nz = \"4 m*q\"\nS = \"-10 m/s^2*t^2\"\nt = \"1 s\"",
+     "a_n", 48.0},
+    {"motion.along_path", "x = \"3 m*q\"\ny = \"4 m*q\"\nS = \"10 m\"\n", "x_M", 6.0},
+    {"motion.along_path", "x = \"3 m*q\"\ny = \"4 m*q\"\nS = \"10 m\"\n", "a", 0.0},
     {"motion.point", "x = \"2 m/s*t\"\ny = \"-3 m/s*t\"\nz = \"6 m/s*t\"", "cos_z", 6.0 / 7},
     // a screw line of 2 m radius, turned through by 3 rad/s
     {"motion.point", "x = \"2 m*cos(3*t/(1 s))\"\ny = \"2 m*sin(3*t/(1 s))\"\nz = \"1.5 m/s*t\"\nt = \"0.4 s\"", "a_n",

@@ -47,6 +47,7 @@ constexpr std::array unbroken{
     Reason{"fatigue.staircase", "it gives the strength that fatigue.life takes"},
     Reason{"fatigue.survival", "it gives the strength that fatigue.life takes"},
     Reason{"motion.point", laws},
+    Reason{"motion.along_path", laws},
     Reason{"motion.rotation", laws},
     Reason{"motion.plane", laws},
     Reason{"motion.compound", laws},

@@ -37,6 +37,13 @@ bool SmallLu::factor_any() {
   return true;
 }
 
+double SmallLu::determinant() const {
+  if (size_ == 1 || size_ == 2) return 1.0 / inverse_;
+  double product = 1.0;
+  for (std::size_t k = 0; k < size_; ++k) product *= std::abs(a_[k * size_ + k]);
+  return sign_ * product;
+}
+
 // Among the rows that are left, the largest against the scale that its row had: rows differ in their units.
 bool SmallLu::choose_pivot(std::size_t step) {
   std::size_t best = step;

@@ -23,6 +23,8 @@ class SmallLu {
   [[nodiscard]] bool factor() { return size_ == 2 ? factor_two() : factor_any(); }
   /// +1 or -1: the sign of the determinant of the factored matrix.
   [[nodiscard]] double sign() const { return sign_; }
+  /// The determinant of the matrix, if `factor` has accepted it.
+  [[nodiscard]] double determinant() const;
   /// Replaces the right side by the solution of A x = b, or of A^T x = b.
   void solve(std::span<double> right) { size_ == 2 ? solve_two(right, a_[1], a_[2]) : solve_any(right); }
   void solve_transposed(std::span<double> right) {

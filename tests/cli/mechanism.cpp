@@ -39,7 +39,7 @@ TEST_SUITE("cli mechanism") {
     CHECK(contains(o.out,
                    ")\nPress\n\npress: Planar mechanism (kinematics, kinetostatics) (mechanism.planar)\n  Extreme "
                    "values over the cycle\n"));
-    CHECK(contains(o.out, "    rod, slider  A, B, guide  class II, order 2, RRP  6 = 2 · 3 + 0\n"));
+    CHECK(contains(o.out, "    rod, slider  A, B, guide  two-link group, class II, order 2, RRP  6 = 2 · 3 + 0\n"));
     CHECK(contains(o.out, "    mobility by rank of the constraints "));
     CHECK(contains(o.out, "  12 of 12  "));
     CHECK_FALSE(contains(o.out, "broken"));

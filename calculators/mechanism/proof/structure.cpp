@@ -1,11 +1,16 @@
 // The groups that a mechanism is built of, and how well the equations determine it.
 #include "calculators/mechanism/results/aspect.hpp"
 #include "lib/mechanism/structure/assur.hpp"
+#include "lib/mechanism/studies/group_jacobian.hpp"
+#include "lib/numerics/magnitude.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace loadpath::planar {
 
@@ -28,13 +33,21 @@ std::string listed(const Parts& parts, const std::vector<std::size_t>& chosen) {
   return names;
 }
 
+/// "two-link group", as [D3] names the groups.
+Message size_of(const mechanism::Group& group) {
+  static constexpr std::array counts{"",      "one",   "two",  "three", "four",   "five",  "six",
+                                     "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+  const std::size_t links = group.links.size();
+  return say("{1}-link group", links < counts.size() ? counts[links] : std::to_string(links));
+}
+
 Message kind_of(const mechanism::Group& group) {
   static constexpr std::array roman{"", "I", "II", "III", "IV", "V", "VI", "VII", "VIII"};
   if (group.contour_class == 1) return say("initial link");
   const auto k = static_cast<std::size_t>(group.contour_class);
   const std::string number = k < roman.size() ? roman[k] : std::to_string(k);
-  const Message group_class = say("class {1}, order {2}", number, std::to_string(group.order));
-  return group.kind.empty() ? group_class : say("{1}, {2}", group_class, group.kind);
+  const Message named = say("{1}, class {2}, order {3}", size_of(group), number, std::to_string(group.order));
+  return group.kind.empty() ? named : say("{1}, {2}", named, group.kind);
 }
 
 Table structure_table(const mechanism::Model& model, bool released) {
@@ -62,6 +75,49 @@ std::vector<std::string> passive_freedoms(const mechanism::Model& model) {
   return names;
 }
 
+/// The smallest magnitude of a Jacobian, the first position that has it, and the largest.
+struct Range {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  std::size_t at = 0;
+};
+
+/// Of each group over the positions that close.
+std::vector<Range> ranges_of(mechanism::GroupJacobians& jacobians, const Cycle& cycle) {
+  std::vector<Range> ranges(jacobians.plan().groups.size());
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (!cycle.closed[k]) continue;
+    jacobians.take(cycle.positions[k].pose);
+    for (std::size_t g = 0; g < ranges.size(); ++g) {
+      const double size = jacobians.magnitude(g);
+      if (numerics::exceeds(ranges[g].least, size)) ranges[g] = {size, ranges[g].most, k};
+      if (numerics::exceeds(size, ranges[g].most)) ranges[g].most = size;
+    }
+  }
+  return ranges;
+}
+
+std::string metres_text(int metres) {
+  if (metres == 0) return "-";
+  return metres == 1 ? "m" : "m^" + std::to_string(metres);
+}
+
+/// A reaction of the group is large where its Jacobian is small, in proportion.
+void add_jacobians(const mechanism::Model& model, const Cycle& cycle, const Axis* axis, Table& table) {
+  mechanism::GroupJacobians jacobians(model);
+  const std::vector<Range> ranges = ranges_of(jacobians, cycle);
+  const std::vector<mechanism::Group> groups = mechanism::groups(model);
+  for (std::size_t g = 0; g < ranges.size(); ++g) {
+    const Range& range = ranges[g];
+    if (jacobians.plan().groups[g].unknowns.empty() || !std::isfinite(range.least)) continue;
+    const std::string links = listed(model.links, groups[g].links);
+    const bool varies = axis != nullptr && numerics::exceeds(range.most, range.least);
+    table.rows.push_back({varies ? say("minimum Jacobian determinant of the group {1}, magnitude, at {2}", links,
+                                       format_quantity(axis->at[range.at], axis->unit, 5))
+                                 : say("Jacobian determinant of the group {1}, magnitude", links),
+                          Quantity{range.least, metres_text(jacobians.metres(g)), 6}});
+  }
+}
+
 Table determinacy_table(const mechanism::Model& model, const mechanism::Structure& structure, const Cycle& cycle,
                         const Axis* axis) {
   Table table{say("Mobility and conditioning"), {}, {}};
@@ -85,6 +141,7 @@ Table determinacy_table(const mechanism::Model& model, const mechanism::Structur
                             ? largest
                             : say("{1}, at {2}", largest, format_quantity(axis->at[cycle.worst_at], axis->unit, 5)),
                         Quantity{cycle.worst_condition, "-", 2}});
+  add_jacobians(model, cycle, axis, table);
   return table;
 }
 

@@ -48,6 +48,8 @@ class GroupPositions {
   [[nodiscard]] bool move(std::span<const Drive> drives, double change, const Prediction& prediction);
   /// Sets up the closing equations where the mechanism is. False if they are singular.
   [[nodiscard]] bool factor();
+  /// Of one group.
+  [[nodiscard]] bool factor(std::size_t g);
 
   /// The search of assemblies (search.cpp): the drives' coordinates; then the groups one after the other, each
   /// on its side +1 or -1 where it has a closed form, else by iteration from these unknown coordinates. False if
@@ -95,7 +97,6 @@ class GroupPositions {
   [[nodiscard]] double in_own_unit(std::size_t tree, double value) const;
   void place_turned(const GroupPlan& group);
   double newton_step(std::size_t g);
-  bool factor(std::size_t g);
 
   const Plan& plan_;
   double length_;

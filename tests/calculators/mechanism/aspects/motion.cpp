@@ -105,7 +105,7 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     REQUIRE(table != nullptr);
     CHECK(text_of(table->rows[2][0]) == "positions that were followed in small steps; first at 171 deg");
     const auto plain = solved(rocker);
-    CHECK(table_of(plain, "Mobility and conditioning")->rows.size() == 3);
+    CHECK(table_of(plain, "Mobility and conditioning")->rows.size() == 4);
     const auto& sound = plain.steps[0]->account().verdicts;
     CHECK(std::none_of(sound.begin(), sound.end(), [](const auto& v) { return v.symbol == "assembly"; }));
   }

@@ -28,6 +28,7 @@ static constexpr std::array list{
     &aspects::springs,
     &aspects::cylinders,
     &aspects::kinematics,
+    &aspects::transmission,
     &aspects::equations,
     &aspects::extremes,
     &aspects::power,

@@ -156,6 +156,13 @@ std::optional<std::vector<Wanted>> wanted_of(const Solved& solved, const std::se
   return all;
 }
 
+/// Limits whose rows read where the links are.
+bool has_limits_of_places(const Mechanism::Input& in) {
+  return is_set(in.gamma_min) || std::any_of(in.joints.begin(), in.joints.end(), [](const planar::Joint& joint) {
+           return is_set(joint.gamma_min) || is_set(joint.h_max);
+         });
+}
+
 bool read_forces_alone(const std::vector<Wanted>& all) {
   return std::all_of(all.begin(), all.end(), [](const Wanted& own) { return own.aspect->reads_forces_alone; });
 }
@@ -164,7 +171,7 @@ bool read_forces_alone(const std::vector<Wanted>& all) {
 
 struct Ordinary::Parts {
   Parts(const Solved& solved, const account::Account& account, std::vector<Wanted> asked)
-      : by_forces(read_forces_alone(asked)),
+      : by_forces(read_forces_alone(asked) && !has_limits_of_places(solved.in)),
         columns(solved.given, solved.cycle.positions.size(), by_forces ? sizes : everything),
         modes(account.modes),
         verdicts(judged_anew(solved)),

@@ -71,7 +71,12 @@ constexpr std::array specials{
     Special{"c_turn",
             {Type::revolute, Type::rolling, Type::rolling_inside, Type::rolling_on_line},
             "joints that turn: revolute and rolling",
-            [](const auto& j) { return in_si(j.c_turn) != 0.0; }}};
+            [](const auto& j) { return in_si(j.c_turn) != 0.0; }},
+    Special{"gamma_min",
+            {Type::revolute, Type::prismatic, Type::slot},
+            "inner joints of dyads: revolute joints, prismatic joints and slots",
+            [](const auto& j) { return is_set(j.gamma_min); }},
+    Special{"h_max", {Type::prismatic}, "prismatic joints", [](const auto& j) { return is_set(j.h_max); }}};
 
 class FieldCheck {
  public:

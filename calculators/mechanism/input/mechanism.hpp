@@ -106,6 +106,7 @@ F_y = "0 N"
     std::vector<Hodograph> hodographs;
     Acceleration gravity = 0.0 * m_per_s2.one;
     double gravity_direction = -pi / 2.0;
+    double gamma_min = unset<double>;
     Analysis analysis = Analysis::kinetostatic;
     std::vector<Actuator> actuators;  // from cylinders (words/cylinders.hpp): not a field
   };
@@ -140,6 +141,10 @@ F_y = "0 N"
       Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity, its magnitude; omitted: none"}.usually(-30,
                                                                                                                    30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
+      Field{&Input::gamma_min, "gamma_min", deg,
+            "required minimum transmission angle of every dyad: 40 deg in general, 30 deg for light loads"}
+          .within(0, 90)
+          .may_be_missing(),
       Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads only"}.may_be_missing()};
 
   /// The rows that judge a mode are those of the aspects; a mode without a row does not concern the mechanism.
@@ -147,7 +152,7 @@ F_y = "0 N"
       Mode<Input>{"closing", "loop closure and periodicity", &always<Input>}
           .judged_by("closes, returns, returns_*, directed_*, assembly")
           .of_shape(),
-      Mode<Input>{"jamming", "frictional jamming (self-locking)", &always<Input>}.judged_by("moves").of_shape(),
+      Mode<Input>{"jamming", "frictional jamming (self-locking)", &always<Input>}.judged_by("moves, arm_*").of_shape(),
       Mode<Input>{"contact", "lift-off of wheels and followers", &always<Input>}.judged_by("contact_*"),
       Mode<Input>{"profile", "cam undercutting and roller fit", &always<Input>}
           .judged_by("profile_*, hollow_*")
@@ -155,6 +160,7 @@ F_y = "0 N"
       Mode<Input>{"pressure_angle", "pressure angle of the cam follower", &always<Input>}
           .judged_by("pressure_*")
           .of_shape(),
+      Mode<Input>{"transmission", "transmission angle", &always<Input>}.judged_by("transmission_*").of_shape(),
       Mode<Input>{"uniqueness", "static determinacy of reactions", &always<Input>}.judged_by("determinate").of_shape(),
       Mode<Input>{"solution", "verification by independent methods", &always<Input>}
           .judged_by("force_balance, moment_balance, power_balance, motion, trustworthy, whole_system, "

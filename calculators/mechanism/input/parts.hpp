@@ -109,6 +109,8 @@ struct Joint {
   double efficiency = 1.0, efficiency_back = unset<double>;
   Damping c = 0.0 * N_s_per_m.one;
   TurningDamping c_turn = 0.0 * N_m_s.one;
+  double gamma_min = unset<double>;
+  Length h_max = unset<Length>;
   static constexpr Fields fields{
       NameField{&Joint::name, "name", "name of the joint; also of its point on both links unless points are given"},
       Choice{&Joint::type, "type", "joint type"},
@@ -157,7 +159,16 @@ struct Joint {
           .may_be_missing(),
       Field{&Joint::c, "c", N_s_per_m, "prismatic, slot, cams: viscous resistance to sliding"}.at_least(0),
       Field{&Joint::c_turn, "c_turn", N_m_s, "revolute, rolling: viscous resistance to turning"}.at_least(0),
-      Field{&Joint::clearance, "clearance", mm, "revolute: diametral clearance of the pin"}.at_least(0)};
+      Field{&Joint::clearance, "clearance", mm, "revolute: diametral clearance of the pin"}.at_least(0),
+      Field{&Joint::gamma_min, "gamma_min", deg,
+            "inner joint of a dyad: required minimum transmission angle; omitted: that of the mechanism"}
+          .within(0, 90)
+          .may_be_missing(),
+      Field{&Joint::h_max, "h_max", mm,
+            "prismatic: maximum distance of the guide force from the first link's point; half the guide_length: the "
+            "force acts within the block"}
+          .at_least(0)
+          .may_be_missing()};
 };
 
 constexpr auto choices_of(Type) {

@@ -5,9 +5,11 @@
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
 #include "lib/mechanism/model/frames.hpp"
+#include "lib/quantity/format.hpp"
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace loadpath::planar {
@@ -92,8 +94,61 @@ void add_contacts(const Mechanism::Input&, const mechanism::Model& model, std::v
   }
 }
 
+struct Arm {
+  double most = 0.0;  // m; infinite if the guide carries only a couple
+  std::size_t at = 0;
+};
+
+Arm longest_arm(const Guide& guide, const Cycle& cycle) {
+  Arm arm;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (!cycle.has_forces(k)) continue;
+    const Guide::Pressure pressure = guide.now(cycle.positions[k]);
+    if (pressure.M == 0.0) continue;
+    const double h = pressure.N == 0.0 ? std::numeric_limits<double>::infinity() : std::abs(pressure.M / pressure.N);
+    if (h > arm.most) arm = {h, k};
+  }
+  return arm;
+}
+
+/// Where it is longest, and its share of the length of the block.
+Message note_of(const Arm& arm, const mechanism::Joint& joint, const Axis* axis) {
+  const bool has_share = joint.guide_length > 0.0 && std::isfinite(arm.most);
+  const Message share =
+      has_share ? say("{1} of the guide length", format_number(arm.most / joint.guide_length, 3)) : Message{};
+  if (axis == nullptr || arm.most == 0.0) return share;
+  const std::string place = format_quantity(axis->at[arm.at], axis->unit, 5);
+  return has_share ? say("{1} at {2} ({3})", share, place, axis->name()) : say("at {1} ({2})", place, axis->name());
+}
+
+/// A force far outside the block presses its edges on opposite faces, which raises friction: [C4], 4.6.2.
+void judge_arms(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+  const Cycle& cycle = solved.proved;
+  for (std::size_t n = 0; n < solved.given.joints.size(); ++n) {
+    const Length most = solved.in.joints[n].h_max;
+    if (!is_set(most)) continue;
+    const mechanism::Joint& joint = solved.given.joints[n];
+    account::Verdict& v = verdicts.emplace_back(account::Verdict{
+        .step = solved.step,
+        .symbol = "arm_" + joint.name,
+        .meaning = say("maximum distance of the guide force from the middle of the block, joint '{1}'", joint.name),
+        .value = say("not unique"),
+        .bound = say("up to {1}", format_quantity(in_si(most), "mm")),
+        .state = account::State::not_covered});
+    if (!cycle.unique.empty() && !(cycle.unique[n].force && cycle.unique[n].couple)) continue;
+    const Arm arm = longest_arm({joint.name, n, joint}, cycle);
+    if (std::isfinite(arm.most)) {
+      v.value = account::Quantity{arm.most, "mm"};
+    } else {
+      v.value = say("a couple without a force");
+    }
+    v.state = account::pass_if(arm.most <= in_si(most) * (1.0 + 1e-9));
+    v.note = note_of(arm, joint, solved.axis);
+  }
+}
+
 }  // namespace
 
-constinit const Aspect aspects::contacts{.list = &list_contacts, .add_outputs = &add_contacts};
+constinit const Aspect aspects::contacts{.list = &list_contacts, .add_outputs = &add_contacts, .judge = &judge_arms};
 
 }  // namespace loadpath::planar

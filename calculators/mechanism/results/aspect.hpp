@@ -51,9 +51,9 @@ namespace aspects {
 
 // Each is defined in a source of its own.
 extern const Aspect drawn, masses, details, closing, equilibrium, contact, courses, drives, drive_wheels, reactions,
-    pins, shafts, places, members, contacts, cams, machine, springs, cylinders, kinematics, equations, extremes, power,
-    rest, efficiency, flanks, structure, redundancy, resolution, changes_of_assembly, motion, influence, accuracy,
-    balance, figures, hodographs;
+    pins, shafts, places, members, contacts, cams, machine, springs, cylinders, kinematics, transmission, equations,
+    extremes, power, rest, efficiency, flanks, structure, redundancy, resolution, changes_of_assembly, motion,
+    influence, accuracy, balance, figures, hodographs;
 
 }  // namespace aspects
 

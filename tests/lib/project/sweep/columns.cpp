@@ -243,6 +243,22 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
   }
 
+  TEST_CASE("limits that read where the links are are judged at every point") {
+    const std::string press =
+        "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = { from = \"50 mm\", to = \"150 "
+        "mm\", count = 11 }\nl = \"200 mm\"\ncrank = { speed = \"60 rpm\", positions = 36 }\nlinks.slider.mass = \"2 "
+        "kg\"\njoints.guide = { guide_length = \"60 mm\", h_max = \"1 mm\" }\ngamma_min = \"60 deg\"\n"
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"=peak(press.drive.M)\"\ntau_adm = \"30 MPa\"\nG = \"81 "
+        "GPa\"\n";
+    const std::string state = "press.modes.transmission.state";
+    const Compared all = compare(press, {"M = peak(press.drive.M)", "d = shaft.d_min", state});
+    CHECK(all.points == 11);
+    CHECK(all.differ == 0);
+    const Swept swept(press, {state});
+    CHECK(swept.column(state).front() == static_cast<double>(account::State::pass));
+    CHECK(swept.column(state).back() == static_cast<double>(account::State::fail));  // r = 3/4 l
+  }
+
   TEST_CASE("a link that loses its mass is refused as alone") {
     const Compared all =
         compare(lever(even, "\"30 mm\"", "[\"20 kg\", \"10 kg\", \"0 kg\"]"), {"M = peak(lever.drive.M)"});

@@ -1,11 +1,15 @@
 #include "calculators/mechanism/expansion.hpp"
 
 #include "calculators/mechanism/cycle/cycle.hpp"
+#include "calculators/mechanism/cycle/ranges.hpp"
+#include "calculators/mechanism/input/model.hpp"
 #include "calculators/mechanism/templates/template.hpp"
 #include "lib/calculator/record_of.hpp"
+#include "lib/mechanism/studies/drive_range.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace loadpath::planar {
 
@@ -43,6 +47,32 @@ void set_inertia(planar::Link& link, Length l, const Reading& reading) {
   link.J = link.mass * l * l / 12.0;
 }
 
+/// The template with its crank at this angle; none if its lengths do not meet there.
+std::optional<Mechanism::Input> drawn_at(const templates::MechanismTemplate& shape, const void* parameters,
+                                         double angle) {
+  Mechanism::Input drawn;
+  templates::Sketch sketch(drawn, angle);
+  shape.draw(parameters, sketch);
+  return sketch.fault() ? std::nullopt : std::optional(std::move(drawn));
+}
+
+/// Between which angles the crank can turn, by the first one from `start` on at which it is clear of a stop: "between
+/// 15.3 deg and 74.41 deg". None if nothing stops it.
+std::optional<Message> part_that_closes(const templates::MechanismTemplate& shape, const void* parameters,
+                                        double start) {
+  constexpr double turn = 2.0 * pi, step = turn / 360.0;
+  for (int k = 0; k < 360; ++k) {
+    const double angle = start + k * step;
+    const auto drawn = drawn_at(shape, parameters, angle);
+    if (!drawn || !drawn_at(shape, parameters, angle - step) || !drawn_at(shape, parameters, angle + step)) continue;
+    const auto range = mechanism::drive_range(model_of(*drawn), turn, turn);
+    if (!range || !std::isfinite(range->least) || !std::isfinite(range->most)) return std::nullopt;
+    const double ahead = turn * std::round((range->assembled - angle) / turn);
+    return say("between {1} and {2}", limit_text(range->least - ahead, "deg"), limit_text(range->most - ahead, "deg"));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Record laid_out(const Template& from) {
@@ -77,11 +107,16 @@ std::vector<FieldFault> check_overrides(const Template& from, const Reading& rea
   return faults;
 }
 
-std::vector<FieldFault> expand(const Template& from, const Reading& reading, Mechanism::Input& in) {
+std::vector<FieldFault> expand(const Template& from, const Reading& reading, Mechanism::Input& in, bool in_words) {
   const auto& shape = static_cast<const templates::MechanismTemplate&>(from);
   const void* parameters = reading.parameters.data.get();
   if (is_whole_turn(in)) {
-    if (auto stop = shape.crank_stop(parameters)) return {std::move(*stop)};
+    if (auto stop = shape.crank_stop(parameters)) {
+      const bool has_part = in_words && stop->hint.id == templates::part_of_a_turn().id;
+      const auto part = has_part ? part_that_closes(shape, parameters, first_crank_angle(in.crank)) : std::nullopt;
+      if (part) stop->hint = templates::part_of_a_turn(*part);
+      return {std::move(*stop)};
+    }
   }
   Mechanism::Input drawn;
   templates::Sketch sketch(drawn, in.crank.joint.empty() ? unset<double> : first_crank_angle(in.crank));

@@ -21,7 +21,9 @@ std::vector<FieldFault> check_overrides(const Template& from, const project::Rea
 /// Puts pins, angles and directions into the input that the template laid out, for the assembly at the first
 /// position, and the moment of inertia of a slender bar where a bar has a mass and none is typed. Faults of the
 /// geometry, or of a crank without its required full revolution, are returned; then the input is left unchanged.
-std::vector<FieldFault> expand(const Template& from, const project::Reading& reading, Mechanism::Input& in);
+/// `in_words`: the hint for a stopped crank gives the angles between which it can turn.
+std::vector<FieldFault> expand(const Template& from, const project::Reading& reading, Mechanism::Input& in,
+                               bool in_words);
 
 /// The template and its parameters as a table of the report.
 account::Table template_table(const Template& from, const Record& parameters);

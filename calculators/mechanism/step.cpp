@@ -44,7 +44,7 @@ void MechanismStep::prepare(const project::Declared& declared, const project::Co
   const auto typed = [this](const std::string& path) { return is_typed(path); };
   if (std::none_of(issues.begin(), issues.end(), is_own)) add_faults(name_mass_centres(data(), typed), issues);
   const bool known = is_known();
-  if (known && !std::any_of(issues.begin(), issues.end(), is_own)) expand_template(issues);
+  if (known && !std::any_of(issues.begin(), issues.end(), is_own)) expand_template(true, issues);
   if (std::any_of(issues.begin(), issues.end(), is_own)) return;  // the model has holes: nothing more can be said of it
   complete();
   mechanism::Model model = model_of(in_);
@@ -130,9 +130,9 @@ void MechanismStep::complete() {
   in_ = with_cylinders(with_mass_centres(data()));
 }
 
-bool MechanismStep::expand_template(std::vector<Issue>& issues) {
+bool MechanismStep::expand_template(bool in_words, std::vector<Issue>& issues) {
   if (input().from == nullptr) return true;
-  const auto faults = expand(*input().from, input().reading, data());
+  const auto faults = expand(*input().from, input().reading, data(), in_words);
   add_faults(faults, issues);
   return faults.empty();
 }
@@ -253,7 +253,7 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
     add_faults(faults, issues);
     if (!faults.empty()) return;
   }
-  if (!expand_template(issues)) return;
+  if (!expand_template(wanted.words, issues)) return;
   complete();
   mechanism::Model model = model_of(in_);
   if (solve_ordinary(model, wanted)) return;
@@ -273,6 +273,7 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   const Cycle& cycle = redundant ? shown : proved;
   const Kinematics kinematics = kinematics_of(free, cycle, axis_.get(), !has_law(in_));
   Solved solved{name(), in_, structure_, model, free, proved, cycle, kinematics, axis_.get()};
+  solved.in_words = wanted.words;
   ask_all(&Aspect::find, solved, solved.found);
   tell(solved, wanted);
   if (wanted.words || stays_in_equilibrium(in_)) return ordinary_.reset();

@@ -44,7 +44,7 @@ class MechanismStep : public project::Step {
   bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues);
   void add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const;
   /// Puts the template's values, if there is one, into the input; false where they do not fit together.
-  bool expand_template(std::vector<Issue>& issues);
+  bool expand_template(bool in_words, std::vector<Issue>& issues);
   [[nodiscard]] bool is_typed(const std::string& path) const { return input().reading.typed.count(path) != 0; }
   /// Whether every value is known before the project is solved.
   [[nodiscard]] bool is_known() const;

@@ -6,6 +6,7 @@
 #include "lib/text/issue.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -36,6 +37,12 @@ inline std::vector<Run> runs_of(const std::vector<bool>& positions, bool so, boo
     runs.pop_back();
   }
   return runs;
+}
+
+/// A limit that is known better than the positions show it: "124.47 deg", to the hundredth of its unit.
+inline std::string limit_text(double at, const std::string& unit) {
+  const double hundredths = std::round(100.0 * in_unit(at, unit));
+  return format_number(hundredths == 0.0 ? 0.0 : 0.01 * hundredths, 9) + " " + pretty_unit(unit);
 }
 
 inline std::string place_of(std::size_t k, const Axis& axis) { return format_quantity(axis.at[k], axis.unit, 5); }

@@ -1,12 +1,14 @@
 // Whether the mechanism closes, moves and comes back to where it began, and its springs have a direction.
 #include "calculators/mechanism/cycle/either_way.hpp"
 #include "calculators/mechanism/cycle/ranges.hpp"
+#include "calculators/mechanism/proof/stops.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/missing.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -44,9 +46,12 @@ Message change_points(const Cycle& cycle, const Axis& axis) {
       places, format_quantity(axis.at[0] + half, axis.unit, 5));
 }
 
-account::Verdict closing(const std::string& step, const Mechanism::Input& in, const Cycle& cycle, const Axis* axis) {
+account::Verdict closing(const Solved& solved) {
+  const Mechanism::Input& in = solved.in;
+  const Cycle& cycle = solved.proved;
+  const Axis* const axis = solved.axis;
   const auto closed = static_cast<std::size_t>(std::count(cycle.closed.begin(), cycle.closed.end(), true));
-  account::Verdict v{.step = step,
+  account::Verdict v{.step = solved.step,
                      .symbol = "closes",
                      .meaning = say("the mechanism closes at every position"),
                      .value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size())),
@@ -59,7 +64,8 @@ account::Verdict closing(const std::string& step, const Mechanism::Input& in, co
   }
   v.note = why_open(in, cycle);
   if (axis == nullptr) return v;
-  v.note = say("{1}: {2}", range_of(cycle.closed, false, *axis), v.note);
+  const auto stops = solved.in_words ? stops_of(solved) : std::nullopt;
+  v.note = say("{1}: {2}", stops ? *stops : say("not {1}", range_of(cycle.closed, false, *axis)), v.note);
   if (is_whole_turn(in) && cycle.first_failure == mechanism::Status::does_not_close) {
     v.note =
         say("{1}; the crank does not turn round: change the lengths, or give it angles where the mechanism closes, "
@@ -152,7 +158,7 @@ void add_jamming(const std::string& step, const Mechanism::Input& in, const mech
 
 void judge_closing(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   const Cycle& cycle = solved.proved;
-  verdicts.push_back(closing(solved.step, solved.in, cycle, solved.axis));
+  verdicts.push_back(closing(solved));
   add_jamming(solved.step, solved.in, solved.given, cycle, solved.axis, verdicts);
   if (auto directed = direction_of_springs(solved.step, solved.in, cycle, solved.axis))
     verdicts.push_back(std::move(*directed));

@@ -41,6 +41,7 @@ struct Solved {
   const Kinematics& kinematics;
   const Axis* axis;  // null: one position
   Findings found = {};
+  bool in_words = true;  // else texts that take time may be shorter
 };
 
 }  // namespace loadpath::planar

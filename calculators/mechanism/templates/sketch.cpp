@@ -49,6 +49,10 @@ Message part_of_a_turn() {
   return say("change a length, or solve part of a revolution: crank = { at = [\"0 deg\", \"10 deg\"] }");
 }
 
+Message part_of_a_turn(const Message& part) {
+  return say("change a length, or solve part of a revolution, {1}: crank = { at = [...] }", part);
+}
+
 std::optional<FieldFault> pin_runs_through(const char* pin, Length r, Length d) {
   if (abs(r - d) > 1e-9 * d) return std::nullopt;
   return FieldFault{

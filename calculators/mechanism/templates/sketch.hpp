@@ -46,6 +46,8 @@ std::string text_of(Length l);
 
 /// Advice for a crank that cannot rotate fully.
 Message part_of_a_turn();
+/// With the part: "between 15 deg and 74 deg".
+Message part_of_a_turn(const Message& part);
 /// A crank as long as the distance of the pin that it turns something about: its own pin comes to lie on that one.
 std::optional<FieldFault> pin_runs_through(const char* pin, Length r, Length d);
 /// A slotted lever about B that is shorter than the crank's pin is far; `path`: the parameter that is its length.

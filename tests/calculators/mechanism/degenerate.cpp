@@ -1,5 +1,6 @@
 // Degenerate sizes: links without length, springs without direction, lists without items, tolerances as wide as their
 // dimension; and messages for a mechanism that does not close, jams or has no forces.
+#include "lib/quantity/format.hpp"
 #include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 
@@ -138,6 +139,38 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
                        "closes, crank = { at = [...] }"));
     CHECK(entry_of(bar, "drive.M").missing.text() == "the mechanism does not close at every position");
     CHECK(entry_of(solved(press("")), "drive.M").missing.empty());
+  }
+
+  TEST_CASE("where the crank stops is given to the hundredth of a degree, however far apart the positions are") {
+    // Coupler and rocker in line: law of cosines. The crank angle is that of its own x axis, 90 deg ahead of AB.
+    const double b = std::hypot(70.0, 10.0), c = std::hypot(80.0, 90.0), a = 100.0, d = 150.0;
+    const double stretched = std::acos((a * a + d * d - (b + c) * (b + c)) / (2.0 * a * d)) * 180.0 / pi;
+    const auto text = [](double at) { return format_number(0.01 * std::round(100.0 * at), 9) + " deg"; };
+    const std::string stops = "not between " + text(90.0 + stretched) + " and " + text(450.0 - stretched) + ": ";
+    for (const int positions : {36, 37, 72, 100, 360}) {
+      CAPTURE(positions);
+      const std::string note = verdict_of(solved(bar_that_cannot_turn(positions)), "closes").note.text();
+      CAPTURE(note);
+      CHECK(note.starts_with(stops));
+    }
+  }
+
+  TEST_CASE("a cylinder that is longer or shorter than its links reach") {
+    // A is 500 mm from P, and O 1000 mm.
+    const auto lift = [](const char* from, const char* to) {
+      return std::string("[a]\ncalculator = \"mechanism.planar\"\nanalysis = \"static\"\npositions = 24\n") +
+             "ground = { O = [\"0 mm\", \"0 mm\"], P = [\"1 m\", \"0 mm\"] }\n"
+             "links.boom.points = { P = [\"1 m\", \"0 mm\"], A = [\"700 mm\", \"400 mm\"] }\n"
+             "joints.P = { links = [\"boom\", \"ground\"] }\n"
+             "cylinders.C = { links = [\"ground\", \"boom\"], points = [\"O\", \"A\"], from = \"" +
+             from + "\", to = \"" + to + "\" }\nloads = [{ link = \"boom\", M = \"1 N*m\" }]\n";
+    };
+    const auto note = [&](const char* from, const char* to) {
+      return verdict_of(solved(lift(from, to)), "closes").note.text();
+    };
+    CHECK(note("800 mm", "1600 mm").starts_with("not above 1500 mm: "));
+    CHECK(note("900 mm", "450 mm").starts_with("not below 500 mm: "));
+    CHECK(note("400 mm", "1600 mm").starts_with("not below 500 mm and above 1500 mm: "));
   }
 
   TEST_CASE("where friction jams the mechanism, its forces are missing for that") {

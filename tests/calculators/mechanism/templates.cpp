@@ -400,19 +400,26 @@ TEST_SUITE("mechanism template faults") {
   TEST_CASE("a crank that cannot turn round is told with the numbers") {
     const std::string remedy =
         "; change a length, or solve part of a revolution: crank = { at = [\"0 deg\", \"10 deg\"] }";
+    const auto part = [](double least, double most) {
+      const auto hundredths = [](double at) { return format_number(0.01 * std::round(100.0 * at * 180.0 / pi), 9); };
+      return "; change a length, or solve part of a revolution, between " + hundredths(least) + " deg and " +
+             hundredths(most) + " deg: crank = { at = [...] }";
+    };
+    // Law of cosines: where coupler and rocker of 120 mm and 80 mm are in line over a frame of 100 mm.
+    const auto folded = [](double a) { return std::acos((a * a + 100.0 * 100.0 - 40.0 * 40.0) / (200.0 * a)); };
     CHECK(said(slider, "r = \"50 mm\"", "e = \"160 mm\"\nr = \"50 mm\"") ==
           "a.l: the crank cannot make a full revolution: the rod, l = 200 mm, must exceed the sum of crank and offset, "
           "210 "
           "mm" +
-              remedy);
+              part(-std::asin(0.8), pi + std::asin(0.8)));
     CHECK(said(four_bar, "a = \"40 mm\"", "a = \"100 mm\"") ==
           "a.a: the crank cannot make a full revolution: its pin moves as far as 200 mm from the fixed pin of the "
           "rocker, but coupler and rocker together reach only 200 mm" +
-              remedy);
+              part(folded(100.0), 2.0 * pi - folded(100.0)));
     CHECK(said(four_bar, "a = \"40 mm\"", "a = \"70 mm\"") ==
           "a.a: the crank cannot make a full revolution: its pin comes within 30 mm of the fixed pin of the rocker, "
           "but coupler and rocker differ by 40 mm" +
-              remedy);
+              part(folded(70.0), 2.0 * pi - folded(70.0)));
     const std::string lever = start + "template = \"slotted_lever\"\nr = \"30 mm\"\nd = \"90 mm\"\nl = \"150 mm\"\n";
     CHECK(said(lever, "\"30 mm\"", "\"60 mm\"") ==
           "a.l: the crank pin leaves the slot: it moves as far as d + r = 150 mm from B, but the lever is only 150 mm "
@@ -426,10 +433,14 @@ TEST_SUITE("mechanism template faults") {
     CHECK(said(whitworth, "\"40 mm\"", "\"140 mm\"") ==
           "a.r: the slotted lever does not turn round: the crank, r = 100 mm, must be longer than the distance of the "
           "lever's pin, d = 140 mm; with a shorter crank the lever swings: template = \"shaper\"");
+    // The arm of 80 mm is 70 mm high where its lever has this angle; the crank pin is on the lever's line then.
+    const auto crank_of = [](double lever_angle) {
+      return lever_angle - std::asin(0.4 * std::cos(lever_angle));  // d/r = 0.4
+    };
     CHECK(said(whitworth, "\"250 mm\"", "\"70 mm\"") ==
           "a.l: the lever cannot make a full revolution: the rod, l = 70 mm, must exceed the sum of arm and offset, 80 "
           "mm" +
-              remedy);
+              part(crank_of(-std::asin(0.875)), crank_of(std::asin(0.875))));
     const std::string shaper = find_template(planar_mechanism(), "shaper")->example;
     CHECK(said(shaper, "d = \"250 mm\"", "d = \"70 mm\"") ==
           "shaper.r: the lever does not swing: the crank, r = 80 mm, must be shorter than the distance of the lever's "

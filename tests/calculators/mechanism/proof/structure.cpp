@@ -87,4 +87,15 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
     CHECK(text_of(rows[0][0]) == "Jacobian determinant of the group wheel, magnitude");
     CHECK(std::get<account::Quantity>(rows[0][1]).si == doctest::Approx(0.05).epsilon(1e-12));
   }
+
+  TEST_CASE("docs/mechanisms.md lists all solutions of 3 n = 2 p5 + p4 for one to four links: text A, table 10.2") {
+    std::string page;
+    REQUIRE(toml::read_file(std::string(LOADPATH_ROOT) + "/docs/mechanisms.md", page));
+    for (int n = 1; n <= 4; ++n) {
+      std::string row = "| " + std::to_string(n) + " | ";
+      for (int p5 = 0; 2 * p5 <= 3 * n; ++p5)
+        row += (p5 == 0 ? "" : ", ") + std::to_string(p5) + " + " + std::to_string(3 * n - 2 * p5);
+      CHECK_MESSAGE(page.find("\n" + row + " |\n") != std::string::npos, row);
+    }
+  }
 }

@@ -798,6 +798,9 @@ const Case pins[] = {
     {"link.member", "N = \"0 kN\"\nh = \"200 mm\"\nb = \"5 mm\"\nl = \"2 m\"\nends_z = \"pinned_pinned\"", "M_cr",
      845.6537815669302},
     {"link.member", R"(A_v = "200 mm^2")", "tau", 2e6},
+    // a tube by V Q/(I b) at its neutral axis
+    {"link.member", "h = \nb = \nd = \"60 mm\"\nd_bore = \"40 mm\"", "tau",
+     400.0 * (216e-6 - 64e-6) / 12 / (pi / 64 * (1296e-8 - 256e-8) * 0.02)},
 };
 
 const std::span<const Case> groups[] = {pins,   twists,  fits,  keys, shapes,     bars,   tubes,  vessels,

@@ -107,7 +107,8 @@ n_t = 2
   TEST_CASE("the wall of a tube of aluminium by its modulus: d/t up to 90 x 235/R_e x E/210 GPa") {
     const auto tube = [](const std::string& d_bore, const std::string& E = "70 GPa") {
       return "R_e = \"240 MPa\"\nsigma_P = \"160 MPa\"\nd = \"40 mm\"\nd_bore = \"" + d_bore + "\"\nE = \"" + E +
-             "\"\nP = \"3 kN\"\nl = \"1.2 m\"\nends = \"pinned_pinned\"\nmaterial_class = \"other\"";
+             "\"\nP = \"3 kN\"\nl = \"1.2 m\"\nends = \"pinned_pinned\"\nmaterial_class = \"other\"\nmethod = "
+             "\"euler\"\nn_st = 3";
     };
     const ExampleStep thick("column.buckling", tube("32 mm"));
     CHECK(std::abs(thick("r_class") - 10.0 / (90.0 * 235.0 / 240.0 / 3.0)) < 1e-9);

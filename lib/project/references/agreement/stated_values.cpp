@@ -102,8 +102,9 @@ class StatedCheck {
     if (!step_.input().reading.typed.contains(stated.name)) return;
     const double here = own(stated.name);
     const bool is_short = stated.name == "L_h" && stated.si > (1.0 + as_stated) * here;
-    const bool is_weak =
-        means(*step_.input().calculator, stated.name, &is_strength) && stated.si < (1.0 - as_stated) * here;
+    const bool names_strength =
+        stated.name == "R_e" || stated.name == "R_m" || means(*step_.input().calculator, stated.name, &is_strength);
+    const bool is_weak = names_strength && stated.si < (1.0 - as_stated) * here;
     if (!is_short && !is_weak) return;
     add(stated.name,
         say("values.{1} = {2} acts on no step, and {1} is {3} here: refer to it, delete it, or justify it: "

@@ -208,7 +208,7 @@ a.toml:5:9: error: a number is not a valid value of 'fixed'
 a.toml:6:13: error: 'segments[1]' is a table of fields, not a number
 6 | segments = [3]
   |             ^
-  = help: available: name, l, d, chi, d_bore
+  = help: available: name, l, d, chi, d_bore, rho
 a.toml:7:9: error: 'axle.title' takes a text, not a number
 7 | title = 4
   |         ^

@@ -236,7 +236,7 @@ r_T = 0
       Rule<Input>{&notches_fit, "notches, pieces, r_T, group", "the notches must match the shaft", &misfit},
       Rule<Input>{&connections_match, "seats, pieces", "connections must match the diameter of the shaft",
                   &other_diameter},
-      Rule<Input>{&notches_apart, "notches, pieces", "notches must be far enough apart", &crowd, true},
+      Rule<Input>{&notches_apart, "notches, pieces, seats", "notches must be far enough apart", &crowd, true},
       Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "each change of diameter needs a notch", &bare_step},
       Rule<Input>{&slopes_of_all, "supports, seats",
                   "give beta_adm of every bearing or of none, and likewise of the seats", &slope_missing},

@@ -286,15 +286,43 @@ Length reach_of(const Input& in, const Notched& notch) {
   return 2.0 * max(max(root, deep), cut);
 }
 
-/// The first notch behind which another begins before it has died down; null where there is none.
-const Notched* crowded(const Input& in) {
+/// The stretch that a notch occupies: a keyway from one end of the key to the other, the width of a groove.
+struct Extent {
+  Length from, to;
+};
+Extent extent_of(const Input& in, const Notched& notch) {
+  if (is_set(notch.w)) return {notch.x - notch.w / 2.0, notch.x + notch.w / 2.0};
+  const Length end = other_end(in, notch);
+  return is_set(end) ? Extent{min(notch.x, end), max(notch.x, end)} : Extent{notch.x, notch.x};
+}
+
+/// Two notches closer than the nearer of their ends dies down; null where there are none.
+struct Crowded {
+  const Notched* first = nullptr;
+  const Notched* second = nullptr;
+  Length gap = unset<Length>, reach = unset<Length>;
+};
+Crowded crowded(const Input& in) {
   for (const Notched& notch : in.notches) {
+    const Extent own = extent_of(in, notch);
     for (const Notched& other : in.notches) {
-      const Length gap = other.x - notch.x;
-      if (gap > 0.0 * mm && gap < max(reach_of(in, notch), reach_of(in, other)) * (1.0 - one_place)) return &notch;
+      if (!(notch.x < other.x) || are_one(in, notch.x, other.x)) continue;
+      const Extent next = extent_of(in, other);
+      if (are_one(in, own.from, next.from) && are_one(in, own.to, next.to)) continue;  // both ends of one key
+      const Length gap = max(own.from, next.from) - min(own.to, next.to);
+      const Length reach = max(reach_of(in, notch), reach_of(in, other));
+      if (gap < reach * (1.0 - one_place)) return {&notch, &other, max(gap, 0.0 * mm), reach};
     }
   }
-  return nullptr;
+  return {};
+}
+
+/// "'key_end' (43 mm to 79 mm)", "the notch at 80 mm".
+std::string told(const Input& in, const Notched& notch) {
+  const Extent extent = extent_of(in, notch);
+  const bool is_long = !are_one(in, extent.from, extent.to);
+  const std::string range = is_long ? format(extent.from) + " to " + format(extent.to) : format(notch.x);
+  return notch.name.empty() ? "the notch at " + range : "'" + std::string(notch.name.view()) + "' (" + range + ")";
 }
 
 }  // namespace
@@ -318,14 +346,16 @@ FieldFault Design::misfit(const Input& in) {
           say("a notch in a notch is one given by its K_t and K_ts: kind = \"given\"")};
 }
 
-bool Design::notches_apart(const Input& in) { return crowded(in) == nullptr; }
+bool Design::notches_apart(const Input& in) { return crowded(in).first == nullptr; }
 
 FieldFault Design::crowd(const Input& in) {
-  const Notched* const notch = crowded(in);
-  if (notch == nullptr) return {};
-  const auto i = static_cast<std::size_t>(notch - in.notches.data());
+  const Crowded pair = crowded(in);
+  if (pair.first == nullptr) return {};
+  const auto i = static_cast<std::size_t>(pair.first - in.notches.data());
   return {place_of("notches", in.notches, i, "x"),
-          say("the next notch is nearer than twice the depth or radius: notches are assessed separately"),
+          say("{1} and {2} are {3} apart, less than {4} (twice the larger depth or radius), and interact: notches are "
+              "assessed separately",
+              told(in, *pair.first), told(in, *pair.second), format(pair.gap), format(pair.reach)),
           say("keep them apart, or replace both with one notch: kind = \"given\" with K_t and K_ts of both together")};
 }
 

@@ -34,6 +34,16 @@ std::string alone(const std::string& section) {
          section;
 }
 
+/// A bar that steps from 40 mm to 50 mm at 80 mm, with a hub of 30 mm from 36 mm to 66 mm that drives it.
+std::string stepped(const std::string& notches, const std::string& more = "") {
+  return "[bar]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\nR_m = \"700 MPa\"\nR_e = \"490 "
+         "MPa\"\ngroup = \"carbon-steel\"\nn = \"500 rpm\"\npieces = [{ l = \"80 mm\", d = \"40 mm\" }, { l = "
+         "\"120 mm\", d = \"50 mm\" }]\nsupports = [{ x = \"0 mm\" }, { x = \"200 mm\" }]\nseats = [{ name = "
+         "\"wheel\", x = \"51 mm\", b = \"30 mm\", I_p = \"0.01 kg*m^2\", way = \"drives\", T = \"100 N*m\" }, { x "
+         "= \"200 mm\", T = \"100 N*m\" }]\nnotches = [" +
+         notches + "]\nS_D = 1.5\nr_T = 0.5\nS_F = 1.5\n" + more;
+}
+
 struct Told {
   const char *notch, *section;
   double beta_b, beta_t;  // by hand
@@ -157,5 +167,18 @@ TEST_SUITE("shaft design notches") {
     };
     CHECK(warns("63.9 mm"));
     CHECK_FALSE(warns("64.1 mm"));
+  }
+
+  TEST_CASE("both ends of a keyway count for its distance from a shoulder") {
+    const auto messages = [](const char* x, const char* l) {
+      return Solved(stepped("{ name = \"key\", kind = \"keyway\", x = \"" + std::string(x) + "\", l = \"" + l +
+                            "\" }, { name = \"step\", x = \"80 mm\", kind = \"shoulder\", r = \"2 mm\" }"))
+          .messages();
+    };
+    const std::string near = messages("43 mm", "36 mm");
+    CHECK_MESSAGE(contains(near, "'key' (43 mm to 79 mm) and 'step' (80 mm) are 1 mm apart, less than 10 mm"), near);
+    CHECK(contains(messages("79 mm", "36 mm"), "'key' (43 mm to 79 mm) and 'step' (80 mm) are 1 mm apart"));
+    CHECK_FALSE(contains(messages("43 mm", "26 mm"), "assessed separately"));
+    CHECK_FALSE(contains(messages("69 mm", "26 mm"), "assessed separately"));
   }
 }

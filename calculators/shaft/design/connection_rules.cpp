@@ -171,6 +171,31 @@ bool is_too_mild(const Input& in, const Notched& notch, const Seat& seat) {
   return (is_beta ? notch.beta_b : notch.K_t) < least.bending || (is_beta ? notch.beta_t : notch.K_ts) < least.torsion;
 }
 
+Length width_of(const Seat& seat) { return is_set(seat.b) && seat.b > 0.0 * mm ? seat.b : seat.b_r; }
+
+/// A keyway that is short enough for its hub, but reaches beyond it; null if there is none.
+struct Outside {
+  const Notched* notch = nullptr;
+  const Seat* seat = nullptr;
+  Length from = unset<Length>, to = unset<Length>;
+};
+Outside keyway_outside(const Input& in) {
+  const Length slack = one_place * length_of(in);
+  for (const Notched& notch : in.notches) {
+    const Length end = other_end(in, notch);
+    if (!is_set(end)) continue;
+    const Length from = min(notch.x, end), to = max(notch.x, end), middle = (from + to) / 2.0;
+    const auto apart = [&](const Seat& seat) { return abs(seat.x - middle); };
+    const auto hub = std::min_element(in.seats.begin(), in.seats.end(),
+                                      [&](const Seat& a, const Seat& b) { return apart(a) < apart(b); });
+    const bool is_keyed_hub = needs_connection(in, static_cast<std::size_t>(hub - in.seats.begin())) &&
+                              is_made_by(hub->fastening, notch.kind);
+    if (!is_keyed_hub || !(notch.l <= width_of(*hub) + slack)) continue;
+    if (apart(*hub) > (width_of(*hub) - notch.l) / 2.0 + slack) return {&notch, &*hub, from, to};
+  }
+  return {};
+}
+
 template <class Meant>
 Applies where_any(const Input& in, const Meant& is_meant) {
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
@@ -244,13 +269,29 @@ Applies Design::has_mild_notch(const Input& in) {
   });
 }
 
-/// A connection longer than its hub.
+/// A connection longer than its hub, or a keyway beyond it.
 Applies Design::has_long_hub(const Input& in) {
+  if (!keyways_in_hubs(in)) return Applies::yes;
   return where_any(in, [&](std::size_t i) {
     const Seat& seat = in.seats[i];
-    const Length width = is_set(seat.b) && seat.b > 0.0 * mm ? seat.b : seat.b_r;
-    return needs_connection(in, i) && is_set(seat.l_c) && seat.l_c > 1.000001 * width;
+    return needs_connection(in, i) && is_set(seat.l_c) && seat.l_c > 1.000001 * width_of(seat);
   });
+}
+
+bool Design::keyways_in_hubs(const Input& in) { return keyway_outside(in).notch == nullptr; }
+
+FieldFault Design::keyway_beyond_hub(const Input& in) {
+  const Outside outside = keyway_outside(in);
+  if (outside.notch == nullptr) return {};
+  const Seat& hub = *outside.seat;
+  const Length half = width_of(hub) / 2.0;
+  const auto i = static_cast<std::size_t>(outside.notch - in.notches.data());
+  return {place_of("notches", in.notches, i, "x"),
+          say("the keyway from {1} to {2} reaches beyond {3}, from {4} to {5}", format(outside.from),
+              format(outside.to), hub.name.empty() ? "its hub" : "the hub '" + std::string(hub.name.view()) + "'",
+              format(hub.x - half), format(hub.x + half)),
+          say("correct x of the notch, x or b of the component, or confirm a hub that is longer on this side: "
+              "accept.hub_length = \"...\"")};
 }
 
 /// Pulleys and sprockets are rarely made in one piece with the shaft.

@@ -1,5 +1,4 @@
-// A shaft on its bearings: reactions, moments, deflection, slope, twist, strength and fatigue at every section, and the
-// critical speeds.
+// A shaft on its bearings: reactions, moments, deflection, slope, twist, strength, fatigue and critical speeds.
 //
 // Decides what the bearings carry and how the shaft bends in two planes, by beams with shear; the largest equivalent
 // stress of each section (von Mises) against yielding; the safety of each notch against fatigue of a turning shaft by
@@ -206,6 +205,8 @@ r_T = 0
   static FieldFault other_diameter(const Input& in);
   static bool notches_apart(const Input& in);
   static FieldFault crowd(const Input& in);
+  static bool keyways_in_hubs(const Input& in);
+  static FieldFault keyway_beyond_hub(const Input& in);
   static bool steps_are_notched(const Input& in);
   static FieldFault bare_step(const Input& in);
   static bool slopes_of_all(const Input& in);
@@ -237,6 +238,7 @@ r_T = 0
       Rule<Input>{&connections_match, "seats, pieces", "connections must match the diameter of the shaft",
                   &other_diameter},
       Rule<Input>{&notches_apart, "notches, pieces, seats", "notches must be far enough apart", &crowd, true},
+      Rule<Input>{&keyways_in_hubs, "notches, seats", "a keyway must lie within its hub", &keyway_beyond_hub, true},
       Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "each change of diameter needs a notch", &bare_step},
       Rule<Input>{&slopes_of_all, "supports, seats",
                   "give beta_adm of every bearing or of none, and likewise of the seats", &slope_missing},

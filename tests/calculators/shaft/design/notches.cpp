@@ -181,4 +181,22 @@ TEST_SUITE("shaft design notches") {
     CHECK_FALSE(contains(messages("43 mm", "26 mm"), "assessed separately"));
     CHECK_FALSE(contains(messages("69 mm", "26 mm"), "assessed separately"));
   }
+
+  TEST_CASE("a keyway lies within its hub") {
+    const auto keyed = [](const char* x, const std::string& more = "") {
+      return Solved(stepped("{ name = \"key\", kind = \"keyway\", x = \"" + std::string(x) +
+                                "\", l = \"26 mm\" }, { x = \"80 mm\", kind = \"shoulder\", r = \"2 mm\" }",
+                            more));
+    };
+    const Solved beyond = keyed("34 mm");
+    CHECK_MESSAGE(contains(beyond.messages(),
+                           "the keyway from 34 mm to 60 mm reaches beyond the hub 'wheel', from 36 "
+                           "mm to 66 mm"),
+                  beyond.messages());
+    CHECK(beyond.mode("bar.hub_length").state == State::not_judged);
+    CHECK(keyed("34 mm", "accept = { hub_length = \"boss\" }\n").mode("bar.hub_length").state == State::accepted);
+    const Solved within = keyed("40 mm");
+    CHECK_FALSE(contains(within.messages(), "reaches beyond"));
+    CHECK_FALSE(within.has("bar.hub_length"));
+  }
 }

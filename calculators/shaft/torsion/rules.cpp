@@ -67,11 +67,12 @@ Applies Torsion::loaded(const Input& in) {
                std::any_of(in.torques.begin(), in.torques.end(), [&](const Torque& t) { return turns(t.T); }));
 }
 
-/// The least diameter, where a component may sit.
+/// The least diameter, where a component may sit; unknown if a segment has none yet.
 Length Torsion::thinnest(const Input& in) {
   Length least = in.segments.empty() ? in.d : unset<Length>;
   for (const Segment& s : in.segments) {
     const Length d = is_set(s.d) ? s.d : in.d;
+    if (!is_set(d)) return d;
     if (!(d >= least)) least = d;
   }
   return least;

@@ -222,7 +222,7 @@ double GroupSystem::Work::change(std::span<const Drive> from, std::span<const Dr
   for (std::size_t k = 0; k < to.size(); ++k) {
     const bool linear = model.drivers[k].kind == Driver::Kind::linear;
     const double share = linear ? std::abs(way_of(k)) / length : std::abs(way_of(k));
-    if (!(share <= most)) most = share;  // NaN propagates
+    if (share > most || std::isnan(share)) most = share;  // NaN stays
   }
   return most;
 }

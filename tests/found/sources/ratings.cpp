@@ -102,6 +102,16 @@ TEST_SUITE("found ratings") {
     CHECK(place_with("place = \"a\"\nl = \"90 mm\"\ns = \"40 mm\"\nd_sh = \"50 mm\"\n") == "not-judged");
   }
 
+  TEST_CASE("a segment that is sought does not hide the thicker one before it") {
+    std::string shaft = shaft_with("120 mm");
+    const std::string piece = R"({ l = "220 mm", d = "50 mm" })", fatigue = "S_D = 1.5\nr_T = 0\n";
+    shaft.replace(shaft.find(piece), piece.size(),
+                  R"({ l = "150 mm", d = "50 mm" }, { l = "10 mm", d = "?" }, { l = "60 mm", d = "40 mm" })");
+    shaft.erase(shaft.find(fatigue), fatigue.size());
+    const std::string here = "place = \"a\"\nl = \"120 mm\"\ns = \"40 mm\"\nd_sh = \"50 mm\"\n";
+    CHECK(pitting(gears + rated(here) + shaft) == "pass");
+  }
+
   TEST_CASE("teeth live as long as the bearings of their shaft, and these equally long") {
     const auto with = [](const std::string& teeth, const std::string& left, const std::string& right) {
       return solved_as_found(gears + rated(midway + teeth) + shaft_with("80 mm") + bearing("left", left) +

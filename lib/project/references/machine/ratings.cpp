@@ -68,7 +68,7 @@ class RatingCheck {
     for_each_leaf(shaft.input().reading.record, [&](const std::string& path, const Leaf&) {
       if (!path.starts_with("pieces") || !path.ends_with(".d")) return;
       const double d = own_value(shaft, project_, path);
-      if (!(d <= most)) most = d;
+      if (d > most || std::isnan(d)) most = d;  // NaN stays
     });
     return most;
   }

@@ -77,7 +77,7 @@ ComputedInput Inputs::companion_input(const Provided& provided) const {
       most = {value.signature, std::vector<double>(value.si.size(), most.si[0])};
     for (std::size_t i = 0; i < most.si.size(); ++i) {
       const double size = std::abs(value.si[value.is_series() ? i : 0]);
-      if (!(size <= most.si[i])) most.si[i] = size;  // NaN propagates
+      if (size > most.si[i] || std::isnan(size)) most.si[i] = size;  // NaN stays
     }
     names += (names.empty() ? "" : ", ") + path;
   }

@@ -119,7 +119,7 @@ void Fed::fill_from_companions(PointColumns& points, const Axis* axis) {
       for (std::size_t k = 0; k < positions; ++k) {
         const double size = over_it ? std::abs(value.si[k]) : same;
         double& most = si_[point * positions + k];
-        if (!(size <= most)) most = size;
+        if (size > most || std::isnan(size)) most = size;  // NaN stays
       }
     }
     if (there == 0) points.is_other[point] = 1;  // no load component

@@ -53,6 +53,24 @@ TEST_SUITE("project search") {
     }
   }
 
+  TEST_CASE("a size that needs the result of a step without one waits for it: that step is the cause") {
+    const auto project = solved(
+        "[bar]\ncalculator = \"shaft.design\"\nR_e = \"490 MPa\"\nE = \"210 GPa\"\nG = \"81 GPa\"\ngroup = "
+        "\"carbon-steel\"\nS_F = 1.5\npieces = [{ name = \"a\", l = \"80 mm\", d = \"?\" }, { l = \"120 mm\", d = "
+        "\"?\" }]\nsupports = [{ x = \"0 mm\" }, { x = \"200 mm\" }]\nseats = [{ x = \"100 mm\", F_x = "
+        "\"=axle.M_max/(1 m)\" }]\n" +
+        axle + "T = \"1e9 N*m\"\ntau_adm = \"30 MPa\"\nd = { stock = \"shaft\" }\n");
+    std::string causes;
+    for (const account::Mode& mode : project::modes(project)) {
+      if (mode.subject == account::Subject::search) causes += mode.step;
+      if (mode.id == "inputs") CHECK(mode.note.text() == "'seats[1].F_x' is not available: = axle.M_max/(1 m)");
+    }
+    CHECK(causes == "axle");
+    for (const account::Entry& e : project.find("bar")->account().inputs) {
+      if (e.path == "pieces.a.d") CHECK(e.origin.text.text() == "'seats[1].F_x' is not available: = axle.M_max/(1 m)");
+    }
+  }
+
   TEST_CASE("no size of the stock keeps the rules: nothing is taken") {
     CHECK(issues_of(sized("d_bore = \"260 mm\"\nd = { stock = \"bright\" }\n")) ==
           R"(a.toml:5:11: error: the bore must be smaller than the outer diameter of the shaft

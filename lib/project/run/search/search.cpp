@@ -7,6 +7,7 @@
 #include "lib/project/run/search/size_search.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 namespace loadpath::project {
 
@@ -32,11 +33,25 @@ const Search* first_without_effect(Evaluation& evaluation) {
   return nullptr;
 }
 
+/// Whether a value of another step that does not exist is needed at every position: then no size is tried, and the
+/// sizes wait for it.
+bool waits_for_input(Evaluation& evaluation) {
+  Inputs& inputs = evaluation.inputs();
+  for (std::size_t i = 0; i < evaluation.positions(); ++i) {
+    if (inputs.set_position(i)) return false;
+  }
+  const Message missing = inputs.missing();
+  if (missing.empty()) return false;
+  for (const Search& wanted : evaluation.step().searches())
+    candidates_of(evaluation, wanted).leave_open(inputs, missing, {});
+  return true;
+}
+
 }  // namespace
 
 bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues) {
   const PreparedStep& step = evaluation.step();
-  if (step.searches().empty()) return true;
+  if (step.searches().empty() || waits_for_input(evaluation)) return true;
   const Search& wanted = step.searches().front();
   if (const Search* const idle = first_without_effect(evaluation)) {
     issues.push_back(issue_at(step.input(), idle->path,

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <numbers>
 #include <set>
 
 namespace {
@@ -74,16 +75,26 @@ std::vector<Source> sources() {
   return all;
 }
 
-/// The formula of a line over the numbers that are printed next to it.
-double value_of(const account::Step& step) {
+/// The formula of a line over the numbers that are printed next to it; `revolution`: what a unit of rpm counts as one.
+double value_of(const account::Step& step, double revolution = 1.0) {
   const auto tree = formula::parse(step.formula);
   REQUIRE(tree);
   return formula::value(*tree, [&](std::string_view name) -> std::optional<double> {
     for (const auto& given : step.given) {
-      if (given.name == name) return given.si;
+      if (given.name == name) return given.unit == "rpm" ? given.si / revolution : given.si;
     }
+    if (name == "rpm") return 2.0 * std::numbers::pi / 60.0 / revolution;
     return std::nullopt;
   });
+}
+
+/// Whether the value is the same with rpm as revolutions per minute, which have no factor 2 pi.
+bool comes_out_in_rpm(const account::Step& step) {
+  constexpr double revolution = 2.0 * std::numbers::pi;
+  const bool is_speed = step.value.unit == "rpm" || step.value.unit == "rad/s";
+  const double value = value_of(step), counted = value_of(step, revolution);
+  return !(std::abs(counted - value) > 1e-9 * std::abs(value)) ||
+         (is_speed && std::abs(counted * revolution - value) <= 1e-9 * std::abs(value));
 }
 
 /// Whether no two names of a formula are printed alike, as in.b and r.b would.
@@ -109,6 +120,7 @@ void check_line(const account::Step& step) {
   INFO(step.symbol, " = ", step.formula);
   if (!step.formula.empty()) {
     CHECK(prints_apart(step));
+    CHECK(comes_out_in_rpm(step));
     const double value = value_of(step);
     const bool both_missing = std::isnan(value) && std::isnan(step.value.si);
     CHECK_MESSAGE((both_missing || std::abs(value - step.value.si) <= 1e-12 * std::abs(step.value.si)),

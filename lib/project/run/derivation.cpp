@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 namespace loadpath::project {
 
@@ -49,6 +50,29 @@ std::optional<Names::Known> found_in(const Record& record, std::string_view path
   return std::nullopt;
 }
 
+bool is_speed(std::string_view unit) { return unit == "rpm" || unit == "rad/s"; }
+
+/// The unit in which the speeds of a formula are printed, so that it comes out as printed; empty: each in its own.
+/// A formula that gives the same value with revolutions as with radians, a ratio or a multiple of speeds, keeps rpm;
+/// another one is of angular velocities: P/n, n d/2, L_h n/(2 pi).
+std::string unit_of_speeds(const formula::Node& tree, const Line& line, const Names& names, const std::string& unit) {
+  constexpr double revolution = 2.0 * std::numbers::pi;
+  bool any_rpm = false;
+  const auto value_with = [&](double divisor) {
+    return formula::value(tree, [&](std::string_view name) -> std::optional<double> {
+      if (name == "rpm") return revolution / 60.0 / divisor;
+      const auto known = names.find(line.scope, name);
+      if (!known) return std::nullopt;
+      any_rpm = any_rpm || known->unit == "rpm";
+      return is_speed(known->unit) ? known->si / divisor : known->si;
+    });
+  };
+  const double radians = value_with(1.0), revolutions = value_with(revolution) * (is_speed(unit) ? revolution : 1.0);
+  if (!any_rpm || std::isnan(radians)) return {};
+  if (std::abs(radians - revolutions) > 1e-9 * std::abs(radians)) return "rad/s";
+  return is_speed(unit) ? "" : "rpm";
+}
+
 account::Step step_of(const Line& line, const Names& names, const std::string& unit) {
   account::Step step;
   step.symbol = line.symbol;
@@ -57,9 +81,12 @@ account::Step step_of(const Line& line, const Names& names, const std::string& u
   const auto tree = formula::parse(line.formula);
   if (tree && says_nothing(*tree, line, names)) return step;
   step.formula = formula::shown(line.formula);
+  const std::string of_speeds = tree ? unit_of_speeds(*tree, line, names, unit) : "";
   for (const std::string& name : tree ? formula::names(*tree) : std::vector<std::string>{}) {
     const auto known = names.find(line.scope, name);
-    if (known) step.given.push_back({std::string(formula::symbol_of(name)), known->si, known->unit});
+    if (!known) continue;
+    const bool is_converted = !of_speeds.empty() && is_speed(known->unit);
+    step.given.push_back({std::string(formula::symbol_of(name)), known->si, is_converted ? of_speeds : known->unit});
   }
   return step;
 }

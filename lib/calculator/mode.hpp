@@ -33,6 +33,8 @@ struct ModeInfo {
   const char* advice = "";   // other remedy if no input is missing
   const char* use = "";      // the calculator that assesses it when it takes the place of this one: "shaft.design"
   const char* add = "";      // calculators of which an additional step assesses it: "shaft.key, shaft.spline"
+  const char* each = "";     // the list of the part whose every element an additional step assesses: "stages"
+  const char* loads = "";    // the list of results with the loads before and behind each element: "shafts"
   bool is_limit =
       false;  // the same at any load, as a slenderness: it governs where it fails, or where nothing else does
   bool by_record = false;   // without the record that `judge` takes, no calculator assesses it
@@ -108,6 +110,14 @@ struct Mode : ModeInfo {
   [[nodiscard]] constexpr Mode assessed_beside(const char* calculators) const {
     Mode mode = *this;
     mode.add = calculators;
+    return mode;
+  }
+  /// After assessed_beside: assessed where each element of this list has such a step, which takes a size of the element
+  /// and its load, from the elements of `results` before and behind it.
+  [[nodiscard]] constexpr Mode for_each_of(const char* list, const char* results) const {
+    Mode mode = *this;
+    mode.each = list;
+    mode.loads = results;
     return mode;
   }
   /// Applies to a part that rotates, or whose load varies.

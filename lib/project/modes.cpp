@@ -187,7 +187,8 @@ std::vector<const account::Mode*> counters_of(const ModeInfo& left, const Step& 
   return covers ? judges : std::vector<const account::Mode*>{};
 }
 
-/// As the worst of its assesses came out.
+}  // namespace
+
 void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges) {
   const account::Mode& worst = governing(judges);
   // An assessing step without information on the service does not override that of the part.
@@ -200,6 +201,8 @@ void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges
   mode.at = worst.at;
   mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
 }
+
+namespace {
 
 /// The field that a key of a mode names: "u_tau", "segments.u_tau".
 const FieldInfo* field_of(const RecordType& result, std::string_view key) {

@@ -44,6 +44,9 @@ std::optional<account::Mode> judged(const Step& step, const ModeInfo& mode, Appl
                                     const std::vector<const account::Verdict*>& rows, const CheckNeeds& needs = {},
                                     const Bolder& bolder = {});
 
+/// Gives a mode the state of the worst of the modes that assess it.
+void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges);
+
 /// After all steps are solved: modes assessed by another calculator get the state from its steps that have taken the
 /// complete records.
 void settle_left(Project& project);

@@ -15,6 +15,7 @@
 #include "lib/project/solving/bodies.hpp"
 #include "lib/project/solving/body_facts.hpp"
 #include "lib/project/solving/companions.hpp"
+#include "lib/project/solving/elements.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -205,6 +206,7 @@ void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wan
   }
   if (has_errors(issues)) return;
   settle_left(project);
+  settle_elements(project);
   name_fixes(project);
   for (const auto& step : project.steps) warn_of_idle_acceptances(*step, issues);
   hand_out_warnings(project, issues);

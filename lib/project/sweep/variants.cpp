@@ -4,6 +4,7 @@
 #include "lib/project/references/machine/machine.hpp"
 #include "lib/project/references/machine/same_part.hpp"
 #include "lib/project/references/origins.hpp"
+#include "lib/project/solving/elements.hpp"
 #include "lib/project/solving/solve.hpp"
 #include "lib/project/sweep/points/alone.hpp"
 #include "lib/project/sweep/points/column_step.hpp"
@@ -153,7 +154,8 @@ bool Variants::solve_first(std::span<const double* const> in, std::size_t n) {
 /// Set up at the first point that is solved; without one the next block is tried.
 void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   const bool solved_twice = project_.passes.size() != project_.order.size() || !project_.beforehand.empty();
-  const bool hangs_on_others = leaves_modes(project_) || solved_twice || has_bodies(project_);
+  const bool hangs_on_others =
+      leaves_modes(project_) || leaves_elements(project_) || solved_twice || has_bodies(project_);
   if (!hangs_on_others && !solve_first(in, n)) return;
   way_ = !hangs_on_others && find_kernels() ? Way::columns : Way::alone;
 }

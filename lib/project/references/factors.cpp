@@ -21,6 +21,10 @@ constexpr std::array factors_of_loads{"K_A", "gamma_F"};
 /// A factor of 1 does not count, nor one that is not given.
 bool counts(double factor) { return !std::isnan(factor) && factor != 1.0; }
 
+/// The peak torque of a start or a jam, for yielding only: it is stated as it is, with an application factor or
+/// without.
+bool is_peak(const Operand& operand) { return operand.path == "T_max"; }
+
 /// The first value of a series that is applied.
 double factor_in(const std::vector<double>& si) {
   const auto found = std::find_if(si.begin(), si.end(), counts);
@@ -132,7 +136,7 @@ class Check {
   Message lacking(const std::string& key) {
     if (!of_kind(held_, key).empty()) return {};
     for (const Operand& operand : step_.input().reading.operands) {
-      if (!operand.leaf.field->is_load) continue;
+      if (!operand.leaf.field->is_load || is_peak(operand)) continue;
       for (const auto& reference : operand.expression.references()) {
         if (Message lost = lost_on_the_way(key, operand.path, reference.path); !lost.empty()) return lost;
       }
@@ -147,7 +151,8 @@ class Check {
     if (field == nullptr || !carries(*field)) return {};
     if (!source->loads().lacking_factor.empty() && !gives(key)) return source->loads().lacking_factor;
     const auto with = listed_keys(field->factors);
-    if (std::find(with.begin(), with.end(), key) != with.end()) return {};
+    if (std::find(with.begin(), with.end(), key) != with.end())  // divided by it, as no load of the step holds it
+      return lower_than(key, load, *source, input_of(*source, key));
     if (source->input().calculator->is_one_drive) return lower_than_in_the_drive(key, load, name);
     return field->is_load ? lower_than(key, load, *source, input_of(*source, key)) : Message{};
   }
@@ -295,8 +300,7 @@ class Check {
     Load load{operand.path, operand.text, operand.place, {}};
     if (!factors) return refuse(load, factors.fault());
     load.held = std::move(*factors);
-    if (operand.path == "T_max") std::erase_if(load.held, [](const auto& of) { return kind_of(of.first) == "k_max"; });
-    take(std::move(load));
+    if (!is_peak(operand)) take(std::move(load));
   }
 
   /// All elements of a list come from one step, with the same factors.

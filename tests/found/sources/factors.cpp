@@ -112,4 +112,24 @@ TEST_SUITE("found factors elsewhere") {
     CHECK(time_of(key("")) == "not-judged");
     CHECK(time_of(key("T_max = \"90 N*m\"\n")) == "pass");
   }
+
+  TEST_CASE("the peak torque of a start is stated with or without the application factor, the service torque with it") {
+    const auto key = [](const std::string& lines) {
+      return "[gears]\ncalculator = \"gear.pair\"\nz_1 = 25\nz_2 = 60\nm_n = \"4 mm\"\nb = \"40 mm\"\nT_1 = \"40 "
+             "N*m\"\nn_1 = \"1450 rpm\"\nK_A = 1.25\n[key]\ncalculator = \"shaft.key\"\ntorque = \"one_way\"\nd = \"40 "
+             "mm\"\nkey = \"12x8\"\nl = \"45 mm\"\nl_n = \"50 mm\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"370 MPa\"\nR_e_k = "
+             "\"420 MPa\"\nS_F = 1.5\n" +
+             lines;
+    };
+    const auto pressure = [&](const std::string& lines) { return mode_of(solved_as_found(key(lines)), "key", "key"); };
+    const std::string with = "T = \"=gears.gear_2.T\"\n", without = "T = \"=gears.gear_2.T/gears.K_A\"\n",
+                      peak = "T_max = \"=2.5*gears.gear_2.T\"\n",
+                      nominal_peak = "T_max = \"=2.5/gears.K_A*gears.gear_2.T\"\n", K_A = "K_A = \"=gears.K_A\"\n";
+    for (const std::string& start : {peak, nominal_peak}) {
+      CHECK(pressure(with + start) == "pass");
+      CHECK(pressure(without + start + K_A) == "pass");
+      CHECK(pressure(without + start) == "not-judged");
+      CHECK(first_error_of(key(with + start + K_A)).find("K_A would be applied twice: 'T'") != std::string::npos);
+    }
+  }
 }

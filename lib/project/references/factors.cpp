@@ -354,7 +354,7 @@ class Check {
       issues_.push_back(
           issue_at(step_.input(), key,
                    say("{1} would be applied twice: '{2}' includes {3}", key, first_->path, told(held_, factor)),
-                   say("leave out {1} here, or use '{2}' without it", key, first_->path)));
+                   say("leave out {1} in '{3}', or use '{2}' without it", key, first_->path, step_.name())));
     }
   }
 

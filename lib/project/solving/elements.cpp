@@ -76,6 +76,16 @@ std::vector<const account::Mode*> judges_of(const Elements& all, std::size_t i, 
   return judges;
 }
 
+/// "gear.pair, chain.roller": the calculators of the steps of these modes.
+std::string calculators_of(const std::vector<const account::Mode*>& modes, const Project& project) {
+  std::string all;
+  for (const account::Mode* mode : modes) {
+    const std::string id = project.find(mode->step)->input().calculator->id;
+    if (all.find(id) == std::string::npos) all += (all.empty() ? "" : ", ") + id;
+  }
+  return all;
+}
+
 void settle_mode(account::Mode& mode, const ModeInfo& info, const Elements& all, const Project& project) {
   std::vector<const account::Mode*> judges;
   std::string unchecked;
@@ -85,7 +95,11 @@ void settle_mode(account::Mode& mode, const ModeInfo& info, const Elements& all,
     if (own.empty()) unchecked += (unchecked.empty() ? "" : ", ") + all.by_name(i).substr(all.part.name().size() + 1);
   }
   if (judges.empty()) return;
-  if (unchecked.empty()) return settle(mode, judges);
+  if (unchecked.empty()) {
+    settle(mode, judges);
+    mode.judge = calculators_of(judges, project);
+    return;
+  }
   mode.note = say("no step takes size and load of {1}", unchecked);
 }
 

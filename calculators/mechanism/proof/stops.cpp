@@ -35,11 +35,11 @@ std::optional<Limits> limits_of(const Solved& solved) {
 
 /// Whether a place lies within them; in a cycle, at any revolution.
 bool is_within(const Limits& limits, double at, double period) {
-  constexpr double rounding = 1e-6;  // rad or m
-  const auto holds = [&](double x) { return x >= limits.least - rounding && x <= limits.most + rounding; };
+  constexpr double slack = 1e-6;  // rad or m
+  const auto holds = [&](double x) { return x >= limits.least - slack && x <= limits.most + slack; };
   if (period == 0.0) return holds(at);
   const double whole = std::abs(period);
-  return holds(at + whole * std::ceil((limits.least - rounding - at) / whole));
+  return holds(at + whole * std::ceil((limits.least - slack - at) / whole));
 }
 
 /// Whether some positions lie beyond the limits, and these are open. Others may be open too, if they are reached only

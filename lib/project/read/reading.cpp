@@ -76,6 +76,25 @@ Message bounds_message(const FieldInfo& field) {
   return say("must be {1} and {2}", low, high);
 }
 
+double without_margin(const FieldInfo& field, double bound) {
+  constexpr double margin = 1e-5;
+  const double shown = in_unit(bound, field.unit), whole = std::round(shown);
+  if (!std::isfinite(shown) || std::abs(shown - whole) > margin) return bound;
+  return whole == 0.0 ? 0.0 : bound * (whole / shown);
+}
+
+bool is_open_above(const FieldInfo& field) {
+  constexpr double boundless = 1e6;
+  return in_unit(field.bounds.high, field.unit) >= boundless;
+}
+
+Message bound_message(const FieldInfo& field, double si) {
+  const bool is_above = si > field.bounds.high;
+  const double bound = without_margin(field, is_above ? field.bounds.high : field.bounds.low);
+  const std::string shown = format_quantity(bound, field.unit);
+  return is_above ? say("must be at most {1}", shown) : say("must be at least {1}", shown);
+}
+
 Message unusual(const std::string& path, const FieldInfo& field, double si) {
   return say("{1} = {2} is unusual: {3} to {4} is expected", path, format_quantity(si, field.unit),
              format_quantity(field.plausible.low, field.unit), format_quantity(field.plausible.high, field.unit));

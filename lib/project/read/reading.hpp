@@ -146,6 +146,12 @@ void for_each_reference(const Reading& reading, const Visit& visit) {
 
 /// "must be > 0 mm", from the bounds of a field.
 Message bounds_message(const FieldInfo& field);
+/// "must be at least 1.2": the bound of a result that the value exceeds.
+Message bound_message(const FieldInfo& field, double si);
+/// The bound without the margin for rounding: "-1e-9" is 0, in the unit of the field.
+double without_margin(const FieldInfo& field, double bound);
+/// Whether the upper bound of a result is only there to keep it finite.
+bool is_open_above(const FieldInfo& field);
 /// Whether a size, in SI, is beyond all machines, so that its powers could leave the range of numbers.
 bool is_out_of_proportion(double si);
 Message out_of_proportion(const std::string& path, const FieldInfo& field, double si);

@@ -15,20 +15,12 @@ Message at_place(const Extreme& extreme, const Axis& axis) {
   return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name());
 }
 
-/// The bound without the margin for rounding: "-1e-9" is 0, in the unit of the field.
-double without_margin(const FieldInfo& field, double bound) {
-  constexpr double margin = 1e-5;
-  const double shown = in_unit(bound, field.unit), whole = std::round(shown);
-  if (!std::isfinite(shown) || std::abs(shown - whole) > margin) return bound;
-  return whole == 0.0 ? 0.0 : bound * (whole / shown);
-}
-
-/// "covered from 0.2 to 3", "passes up to 9": the requirement of a limit on its value.
+/// "covered from 0.2 to 3", "passes up to 9", "covered if at least 1.2": the requirement of a limit on its value.
 Message bounds_of(const FieldInfo& field) {
   const std::string low = format_quantity(without_margin(field, field.bounds.low), field.unit);
   const std::string high = format_quantity(without_margin(field, field.bounds.high), field.unit);
   const Message verb = field.is_criterion ? say("passes") : say("covered");
-  if (std::isinf(field.bounds.high)) return say("{1} from {2}", verb, low);
+  if (is_open_above(field)) return say("{1} if at least {2}", verb, low);
   if (std::isinf(field.bounds.low)) return say("{1} up to {2}", verb, high);
   return say("{1} from {2} to {3}", verb, low, high);
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 using namespace loadpath;
 using namespace loadpath::test;
@@ -69,6 +71,27 @@ TEST_SUITE("project search") {
     for (const account::Entry& e : project.find("bar")->account().inputs) {
       if (e.path == "pieces.a.d") CHECK(e.origin.text.text() == "'seats[1].F_x' is not available: = axle.M_max/(1 m)");
     }
+  }
+
+  TEST_CASE("a candidate that does not fit is listed so, whatever its strength; a bound without an end as at least") {
+    const auto project = solved(
+        "[key]\ncalculator = \"shaft.key\"\nT = \"400 N*m\"\ntorque = \"one_way\"\nd = \"48 mm\"\nd_f = \"70 mm\"\nh_t "
+        "= \"10 mm\"\nkey = \"?\"\nl = \"36 mm\"\nl_n = \"40 mm\"\nR_e_1 = \"540 MPa\"\nR_e_2 = \"250 MPa\"\nR_e_k = "
+        "\"420 MPa\"\nS_F = 1.5\n");
+    std::vector<std::string> fits;
+    for (const account::Mode& mode : project::modes(project)) {
+      if (mode.subject == account::Subject::search)
+        CHECK_MESSAGE(mode.note.text().find("must be at least 1.2") != std::string::npos, mode.note.text());
+    }
+    for (const account::Entry& e : project.find("key")->account().inputs) {
+      for (const account::TriedSize& tried : e.origin.tried) {
+        if (tried.fails == "x_d") fits.push_back(tried.name);
+        if (tried.name == "14x9") CHECK(tried.reason.text().ends_with("must be at least 1.2"));
+      }
+    }
+    CHECK(std::find(fits.begin(), fits.end(), "10x8") != fits.end());
+    CHECK(std::find(fits.begin(), fits.end(), "12x8") != fits.end());
+    CHECK(std::find(fits.begin(), fits.end(), "14x9") == fits.end());
   }
 
   TEST_CASE("no size of the stock keeps the rules: nothing is taken") {

@@ -52,7 +52,7 @@ CandidateFault fault_of_check(const std::string& path, double utilisation) {
 /// The range of a method is no capacity: its ratio is no utilisation, and has no unit.
 CandidateFault fault_of_limit(const std::string& path, const FieldInfo& limit, double si) {
   const std::string unit = limit.unit == std::string("-") && !limit.is_criterion ? "" : limit.unit;
-  return {say("{1} = {2}: {3}", path, format_quantity(si, limit.unit, 4), bounds_message(limit)), path, si, unit};
+  return {say("{1} = {2}: {3}", path, format_quantity(si, limit.unit, 4), bound_message(limit, si)), path, si, unit};
 }
 
 /// The check in a list that is beyond 1 most, and beyond `most`; empty if none is.
@@ -90,14 +90,20 @@ Message check_without_value(Evaluation& evaluation, const Passing& passing) {
   return say("a check has no value");
 }
 
+/// The first criterion, or limit of a method, that is not kept; empty if there is none.
+CandidateFault fault_of_bounds(Evaluation& evaluation, Passing& passing, bool criteria) {
+  for (const FieldInfo& f : evaluation.calculator().result->fields) {
+    if (f.role != Role::limit || f.is_criterion != criteria || !passing.counts({&f})) continue;
+    if (const auto bad = passing.first_outside(f))
+      return std::isnan(*bad) ? CandidateFault{say("{1} is not available", f.key)} : fault_of_limit(f.key, f, *bad);
+  }
+  return {};
+}
+
 /// The first limit that is not kept, of the criteria before those of the methods.
 CandidateFault fault_of_limits(Evaluation& evaluation, Passing& passing) {
   for (const bool criteria : {true, false}) {
-    for (const FieldInfo& f : evaluation.calculator().result->fields) {
-      if (f.role != Role::limit || f.is_criterion != criteria || !passing.counts({&f})) continue;
-      if (const auto bad = passing.first_outside(f))
-        return std::isnan(*bad) ? CandidateFault{say("{1} is not available", f.key)} : fault_of_limit(f.key, f, *bad);
-    }
+    if (CandidateFault fault = fault_of_bounds(evaluation, passing, criteria); !fault.text.empty()) return fault;
   }
   if (CandidateFault listed = fault_of_listed_limits(evaluation, passing); !listed.text.empty()) return listed;
   const Message& gap = evaluation.inputs().table_gap();
@@ -168,6 +174,8 @@ CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing) {
   evaluation.settle_sizes();
   if (!evaluation.is_settled()) return {evaluation.unsettled()};
   if (const auto rule = passing.first_broken_rule()) return {evaluation.broken_rule(*rule).message};
+  CandidateFault misfit = fault_of_bounds(evaluation, passing, true);  // what does not fit needs no strength
+  if (misfit.number) return misfit;
   const EvaluatedRows rows(evaluation, passing);
   const FieldInfo* worst = nullptr;  // a check without a value may be so for a limit that is not kept
   double most = 1.0;

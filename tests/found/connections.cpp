@@ -320,6 +320,18 @@ TEST_SUITE("found connections") {
     CHECK(first_error_of(seat(", d_f = \"90 mm\"")).find("contradicts") != std::string::npos);
   }
 
+  TEST_CASE("the key of another seat takes the torque of a gear without its root circle") {
+    const auto rim = [](const std::string& pulley, const std::string& pinion) {
+      const std::string seats = replaced_in(
+          shaft_of(pulley, pinion), "T = \"100 N*m\", F_x = \"-1 kN\", F_y = \"2 kN\"", "load = \"=gears.gear_1\"");
+      return mode_of(solved_as_found(gears_of(21, "60 mm") + seats + key_for("=gears.gear_1.T", "40 mm")), "key",
+                     "wall");
+    };
+    CHECK(rim(keyed, whole) == "open");
+    CHECK(rim(whole, keyed) == "not-covered");
+    CHECK(rim(whole, "") == "not-covered");
+  }
+
   TEST_CASE("a press fit loses interference at speed, and its shaft asks for the speed") {
     const auto at = [](const std::string& lines) {
       return solved_as_found(

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace loadpath::project {
 
@@ -188,7 +189,30 @@ class Settling {
       const std::string record = operand.of_record || !operand.leaf.field->is_load ? "" : record_behind(operand);
       if (!record.empty()) singles.push_back({operand.path, nullptr, record, operand.place, true});
     }
-    for (const Taken& single : singles) take_body(single);
+    for (const Taken& single : singles) {
+      if (!is_fastened_elsewhere(single.source)) take_body(single);
+    }
+  }
+
+  /// Whether a shaft has the component of the record on one seat, and fastens another one with this step: the torque is
+  /// that of the component, the hub is not.
+  [[nodiscard]] bool is_fastened_elsewhere(const std::string& record) const {
+    return std::any_of(project_.steps.begin(), project_.steps.end(), [&](const auto& shaft) {
+      std::set<std::string> own, of_record;  // "seats[2]."
+      const Reading& reading = shaft->input().reading;
+      for (const auto* all : {&reading.taken, &reading.records}) {
+        for (const Taken& taken : *all) {
+          if (taken.source == step_.name() + ".connection") own.insert(prefix_of(taken.path));
+          if (taken.source == record) of_record.insert(prefix_of(taken.path));
+        }
+      }
+      for (const Operand& operand : reading.operands) {
+        for (const auto& reference : operand.expression.references())
+          if (reference.path.starts_with(record + ".")) of_record.insert(prefix_of(operand.path));
+      }
+      const auto is_other = [&](const std::string& seat) { return !of_record.contains(seat); };
+      return !of_record.empty() && !own.empty() && std::all_of(own.begin(), own.end(), is_other);
+    });
   }
 
   /// Once, though several loads are taken singly.

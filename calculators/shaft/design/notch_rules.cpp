@@ -287,13 +287,13 @@ Length reach_of(const Input& in, const Notched& notch) {
 }
 
 /// The stretch that a notch occupies: a keyway from one end of the key to the other, the width of a groove.
-struct Extent {
+struct NotchExtent {
   Length from, to;
 };
-Extent extent_of(const Input& in, const Notched& notch) {
+NotchExtent extent_of(const Input& in, const Notched& notch) {
   if (is_set(notch.w)) return {notch.x - notch.w / 2.0, notch.x + notch.w / 2.0};
   const Length end = other_end(in, notch);
-  return is_set(end) ? Extent{min(notch.x, end), max(notch.x, end)} : Extent{notch.x, notch.x};
+  return is_set(end) ? NotchExtent{min(notch.x, end), max(notch.x, end)} : NotchExtent{notch.x, notch.x};
 }
 
 /// Two notches closer than the nearer of their ends dies down; null where there are none.
@@ -304,10 +304,10 @@ struct Crowded {
 };
 Crowded crowded(const Input& in) {
   for (const Notched& notch : in.notches) {
-    const Extent own = extent_of(in, notch);
+    const NotchExtent own = extent_of(in, notch);
     for (const Notched& other : in.notches) {
       if (!(notch.x < other.x) || are_one(in, notch.x, other.x)) continue;
-      const Extent next = extent_of(in, other);
+      const NotchExtent next = extent_of(in, other);
       if (are_one(in, own.from, next.from) && are_one(in, own.to, next.to)) continue;  // both ends of one key
       const Length gap = max(own.from, next.from) - min(own.to, next.to);
       const Length reach = max(reach_of(in, notch), reach_of(in, other));
@@ -318,8 +318,8 @@ Crowded crowded(const Input& in) {
 }
 
 /// "'key_end' (43 mm to 79 mm)", "the notch at 80 mm".
-std::string told(const Input& in, const Notched& notch) {
-  const Extent extent = extent_of(in, notch);
+std::string name_with_range(const Input& in, const Notched& notch) {
+  const NotchExtent extent = extent_of(in, notch);
   const bool is_long = !are_one(in, extent.from, extent.to);
   const std::string range = is_long ? format(extent.from) + " to " + format(extent.to) : format(notch.x);
   return notch.name.empty() ? "the notch at " + range : "'" + std::string(notch.name.view()) + "' (" + range + ")";
@@ -352,11 +352,12 @@ FieldFault Design::crowd(const Input& in) {
   const Crowded pair = crowded(in);
   if (pair.first == nullptr) return {};
   const auto i = static_cast<std::size_t>(pair.first - in.notches.data());
-  return {place_of("notches", in.notches, i, "x"),
-          say("{1} and {2} are {3} apart, less than {4} (twice the larger depth or radius), and interact: notches are "
-              "assessed separately",
-              told(in, *pair.first), told(in, *pair.second), format(pair.gap), format(pair.reach)),
-          say("keep them apart, or replace both with one notch: kind = \"given\" with K_t and K_ts of both together")};
+  return {
+      place_of("notches", in.notches, i, "x"),
+      say("{1} and {2} are {3} apart, less than {4} (twice the larger depth or radius), and interact: notches are "
+          "assessed separately",
+          name_with_range(in, *pair.first), name_with_range(in, *pair.second), format(pair.gap), format(pair.reach)),
+      say("keep them apart, or replace both with one notch: kind = \"given\" with K_t and K_ts of both together")};
 }
 
 bool Design::steps_are_notched(const Input& in) { return bare_step(in).path.empty(); }

@@ -26,6 +26,10 @@ enum class Crowning { none, crowned, end_relief };
 /// The place of the pinion on its shaft, [DIN3990-11].
 enum class Place { untold, middle, a, b, c, d, e };
 enum class Pattern { unfavourable, favourable };
+/// Whose factors of contact and root stress apply; the load factors are those of [DIN3990-11] in both.
+enum class RatingStandard { din3990, iso6336 };
+/// Whether the pinion stiffens its shaft, [DIN3990-11] figure 3.2.
+enum class Stiffening { none, pinion };
 
 constexpr auto choices_of(GearMaterial) {
   using M = GearMaterial;
@@ -72,6 +76,19 @@ constexpr auto choices_of(Pattern) {
   using P = Pattern;
   return std::array{ChoiceName<P>{P::unfavourable, "unfavourable", "deflection and manufacturing deviation add up"},
                     ChoiceName<P>{P::favourable, "favourable", "the contact pattern shows that they compensate"}};
+}
+
+constexpr auto choices_of(RatingStandard) {
+  using S = RatingStandard;
+  return std::array{
+      ChoiceName<S>{S::din3990, "din3990", "DIN 3990-11:1989, load at the tip and Y_eps"},
+      ChoiceName<S>{S::iso6336, "iso6336", "ISO 6336-2 and -3:2006, method B; load factors of DIN 3990-11"}};
+}
+constexpr auto choices_of(Stiffening) {
+  using S = Stiffening;
+  return std::array{
+      ChoiceName<S>{S::none, "none", "the shaft alone: the pinion slides on it, or is keyed or shrunk on"},
+      ChoiceName<S>{S::pinion, "pinion", "the body of the pinion stiffens the shaft: d_1/d_sh of 1.15 or more"}};
 }
 
 /// Whether the surface of the teeth is hardened.

@@ -1,7 +1,7 @@
-// Contact stress of the flanks, [DIN3990-2], and what it may be.
+// Contact stress of the flanks, [DIN3990-2] or [ISO6336-2] of 2006, and what it may be.
 #pragma once
 
-#include "calculators/gear/rating/wheels.hpp"
+#include "calculators/gear/rating/iso_flank.hpp"
 
 namespace loadpath::gear::rating {
 
@@ -21,7 +21,12 @@ void contact_factors(const Input& in, const PairResult& g, Result& r, Tracer& tr
   } else {
     STEP_TO(r, Z_eps, sqrt(1.0 / eps_alpha), "contact ratio factor");
   }
-  STEP_TO(r, Z_beta, sqrt(cos(in.beta)), "helix factor, [DIN3990-2]; its reciprocal in ISO 6336-2 from 2006 on");
+  if (is_iso(in)) {
+    STEP_TO(r, Z_beta, sqrt(1.0 / cos(in.beta)),
+            "helix factor, [ISO6336-2] 2006, clause 9; its reciprocal in DIN 3990-2");
+  } else {
+    STEP_TO(r, Z_beta, sqrt(cos(in.beta)), "helix factor, [DIN3990-2]; its reciprocal in ISO 6336-2 from 2006 on");
+  }
 }
 
 /// Z_B and Z_D: to the inner point of single contact of gear 1 and gear 2.
@@ -33,9 +38,11 @@ void single_contact(const Input& in, const PairResult& g, Result& r, Tracer& tra
   STEP(t_a1, sqrt(pow<2>(d_a1 / d_b1) - 1.0), "tangent of the pressure angle at the tip of gear 1");
   STEP(t_a2, sqrt(pow<2>(d_a2 / d_b2) - 1.0), "tangent of the pressure angle at the tip of gear 2");
   STEP(M_1, tan(alpha_wt) / sqrt((t_a1 - 2.0 * pi / in.z_1) * (t_a2 - (eps_alpha - 1.0) * 2.0 * pi / in.z_2)),
-       "inner point of single contact of gear 1, [DIN3990-2]");
+       is_iso(in) ? "inner point of single contact of gear 1, [ISO6336-2] 2006, clause 6"
+                  : "inner point of single contact of gear 1, [DIN3990-2]");
   STEP(M_2, tan(alpha_wt) / sqrt((t_a2 - 2.0 * pi / in.z_2) * (t_a1 - (eps_alpha - 1.0) * 2.0 * pi / in.z_1)),
-       "inner point of single contact of gear 2, [DIN3990-2]");
+       is_iso(in) ? "inner point of single contact of gear 2, [ISO6336-2] 2006, clause 6"
+                  : "inner point of single contact of gear 2, [DIN3990-2]");
   if (eps_beta >= 1.0) {
     r.Z_B = trace.value("Z_B", 1.0, "helical gears with an overlap ratio of 1 or more");
     r.Z_D = trace.value("Z_D", 1.0, "the same");
@@ -77,7 +84,7 @@ inline double size_factor_of_flank(GearMaterial material, double m) {
 
 struct Contact {
   Stress sigma = unset<Stress>, limit = unset<Stress>;
-  double S = unset<double>, u = unset<double>;
+  double S = unset<double>, u = unset<double>, Z_NT = unset<double>;
 };
 
 /// The limit at the cycles of the gear: of a static load, of endurance, between them a line in logarithms.
@@ -89,24 +96,35 @@ Stress limit_at(Stress endless, Stress at_rest, double N, double few, double man
   return trace.value(symbol, std::pow(many / std::max(N, few), e) * endless, "at the cycles of the gear, [DIN3990-11]");
 }
 
+/// Of one gear by [DIN3990-11], with the factor of lubricant, velocity and roughness together.
 template <class Tracer>
-Contact contact_of(const Input& in, const Wheel& wheel, const Wheel& mate, double Z_single, Stress lim, double N,
-                   const Result& r, Tracer& trace) {
-  Contact c;
-  const Stress sigma_H0 = r.sigma_H0;
-  const double K_V = r.K_V, K_Hbeta = r.K_Hbeta, K_Halpha = r.K_Halpha, Z_LVR = r.Z_LVR;
-  trace.value("Z_BD", Z_single, "single-pair tooth contact factor of this gear");
-  const double Z_BD = Z_single;
-  STEP(sigma_H, Z_BD * sigma_H0 * sqrt(in.K_A * K_V * K_Hbeta * K_Halpha), "contact stress, [DIN3990-2]");
-  c.sigma = trace.value(wheel.symbols.sigma_H, sigma_H, "of this gear");
-  const Stress sigma_Hlim = trace.value("sigma_Hlim", lim, "allowable stress number of this gear");
+LifeLimit flank_limit_din(const Input& in, const Wheel& wheel, const Wheel& mate, Stress sigma_Hlim, double N,
+                          const Result& r, Tracer& trace) {
+  const double Z_LVR = r.Z_LVR;
   const double Z_W = trace.value("Z_W", work_hardening(wheel, mate), "work hardening factor");
   const double Z_X = trace.value("Z_X", size_factor_of_flank(wheel.material, in.m_n / mm), "size factor");
   STEP(sigma_Hend, sigma_Hlim * Z_LVR * Z_W * Z_X, "endurance limit of the flanks");
   const bool is_short = is_nitrided(wheel.material) || wheel.material == GearMaterial::grey;
   const double Z_stat = is_short ? 1.3 : 1.6;
-  const Stress sigma_HG =
-      limit_at(sigma_Hend, Z_stat * Z_W * sigma_Hlim, N, 1e5, is_short ? 2e6 : 5e7, trace, "sigma_HG");
+  return {limit_at(sigma_Hend, Z_stat * Z_W * sigma_Hlim, N, 1e5, is_short ? 2e6 : 5e7, trace, "sigma_HG")};
+}
+
+template <class Tracer>
+Contact contact_of(const Input& in, const PairResult& g, const Wheel& wheel, const Wheel& mate, double Z_single,
+                   Stress lim, double N, const Result& r, Tracer& trace) {
+  Contact c;
+  const Stress sigma_H0 = r.sigma_H0;
+  const double K_V = r.K_V, K_Hbeta = r.K_Hbeta, K_Halpha = r.K_Halpha;
+  trace.value("Z_BD", Z_single, "single-pair tooth contact factor of this gear");
+  const double Z_BD = Z_single;
+  STEP(sigma_H, Z_BD * sigma_H0 * sqrt(in.K_A * K_V * K_Hbeta * K_Halpha),
+       is_iso(in) ? "contact stress, [ISO6336-2] 2006, 5.3" : "contact stress, [DIN3990-2]");
+  c.sigma = trace.value(wheel.symbols.sigma_H, sigma_H, "of this gear");
+  const Stress sigma_Hlim = trace.value("sigma_Hlim", lim, "allowable stress number of this gear");
+  const LifeLimit limit = is_iso(in) ? flank_limit_iso(in, g, wheel, mate, sigma_Hlim, N, r, trace)
+                                     : flank_limit_din(in, wheel, mate, sigma_Hlim, N, r, trace);
+  const Stress sigma_HG = limit.sigma;
+  c.Z_NT = limit.factor;
   c.limit = trace.value(wheel.symbols.sigma_HG, sigma_HG, "of this gear");
   const double S_H = c.S =
       NAMED_STEP(wheel.symbols.S_H, sigma_HG / sigma_H, "calculated safety factor against pitting");

@@ -39,19 +39,20 @@ void dynamic_factor(const Input& in, const PairResult& g, Result& r, Tracer& tra
   STEP_TO(r, K_V, K_Vs - min(eps_beta, 1.0) * (K_Vs - K_Vh), "linear in the overlap ratio below 1");
 }
 
-/// K' of the place of the pinion, without and with a stiffening body, [DIN3990-11]; 0 midway.
-inline double place_constant(Place place) {
+/// K' of the place of the pinion, without and with a stiffening body, [DIN3990-11] figure 3.2; 0 midway.
+inline double place_constant(Place place, Stiffening stiffening) {
+  const bool stiff = stiffening == Stiffening::pinion;
   switch (place) {
     case Place::a:
-      return 0.8;
+      return stiff ? 0.48 : 0.8;
     case Place::b:
-      return -0.8;
+      return stiff ? -0.48 : -0.8;
     case Place::c:
       return 1.33;
     case Place::d:
-      return -0.6;
+      return stiff ? -0.36 : -0.6;
     case Place::e:
-      return -1.0;
+      return stiff ? -0.6 : -1.0;
     case Place::untold:
     case Place::middle:
       break;
@@ -92,7 +93,8 @@ void face_load_factor(const Input& in, const PairResult& g, const Wheel& one, co
                                : in.crowning == Crowning::crowned ? 0.012
                                                                   : 0.016,
                                "by the lead modification, [DIN3990-11]");
-  const double K_p = trace.value("K_p", place_constant(in.place), "by the position of the pinion, [DIN3990-11]");
+  const double K_p =
+      trace.value("K_p", place_constant(in.place, in.stiffening), "by the position of the pinion, [DIN3990-11]");
   if (K_p == 0.0) {
     STEP_TO(r, f_sh, w_m * A * pow<2>(in.b / d_1) * um,
             "equivalent misalignment due to pinion and shaft deformation, midway");

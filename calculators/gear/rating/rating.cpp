@@ -52,7 +52,12 @@ void nominal_contact(const RatingTypes::Input& in, const PairResult& g, RatingTy
   const double Z_H = r.Z_H, Z_E = r.Z_E, Z_eps = r.Z_eps, Z_beta = r.Z_beta;
   const Force F_t = r.F_t;
   STEP_TO(r, sigma_H0, Z_H * Z_E * Z_eps * Z_beta * sqrt(F_t / (d_1 * in.b) / MPa * (u + 1.0) / u) * MPa,
-          "at the pitch point, [DIN3990-2]");
+          is_iso(in) ? "at the pitch point, [ISO6336-2] 2006, 5.3" : "at the pitch point, [DIN3990-2]");
+}
+
+void keep_forms(const RatingTypes::Input& in, const Form& one, const Form& two, RatingTypes::Result& r) {
+  (is_iso(in) ? r.Y_F1 : r.Y_Fa1) = one.Y_F, (is_iso(in) ? r.Y_S1 : r.Y_Sa1) = one.Y_S;
+  (is_iso(in) ? r.Y_F2 : r.Y_Fa2) = two.Y_F, (is_iso(in) ? r.Y_S2 : r.Y_Sa2) = two.Y_S;
 }
 
 }  // namespace
@@ -102,6 +107,20 @@ bool Rating::is_in_place(const Input& in) {
   return stands && in.l > in.b && !(in.d_sh > geometry_of(in).d_f1);
 }
 
+bool Rating::is_stiffened(const Input& in) {
+  if (in.stiffening == Stiffening::none || !is_set(in.d_sh)) return true;
+  return geometry_of(in).d_1 >= 1.15 * in.d_sh;
+}
+
+bool Rating::has_rims(const Input& in) {
+  if (!is_set(in.s_R1) && !is_set(in.s_R2)) return true;
+  const PairResult g = geometry_of(in);
+  const auto stands = [](Length s_R, Length d_a, Length d_f) {
+    return !is_set(s_R) || (s_R > (d_a - d_f) / 4.0 && s_R < d_f / 2.0);
+  };
+  return stands(in.s_R1, g.d_a1, g.d_f1) && stands(in.s_R2, g.d_a2, g.d_f2);
+}
+
 double Rating::least_deviation(const Input& in) { return in_si(helix_tolerance(in, geometry_of(in))); }
 
 template <class Tracer>
@@ -117,19 +136,25 @@ Rating::Result Rating::evaluate(const Input& in, Tracer& trace) {
   root_factors(in, g, r, trace);
   transverse_factors(in, g, is_hardened(one.material) && is_hardened(two.material), r, trace);
   single_contact(in, g, r, trace);
-  flank_factor(in, g, r, trace);
+  if (is_iso(in)) {
+    lubricant_film(in, g, lim_1 < lim_2 ? lim_1 : lim_2, r, trace);
+  } else {
+    flank_factor(in, g, r, trace);
+  }
   nominal_contact(in, g, r, trace);
-  const Contact c_1 = contact_of(in, one, two, r.Z_B, lim_1, cycles_of(in, one), r, trace);
-  const Contact c_2 = contact_of(in, two, one, r.Z_D, lim_2, cycles_of(in, two), r, trace);
+  const Contact c_1 = contact_of(in, g, one, two, r.Z_B, lim_1, cycles_of(in, one), r, trace);
+  const Contact c_2 = contact_of(in, g, two, one, r.Z_D, lim_2, cycles_of(in, two), r, trace);
   r.sigma_H1 = c_1.sigma, r.sigma_HG1 = c_1.limit, r.S_H1 = c_1.S, r.u_H1 = c_1.u;
   r.sigma_H2 = c_2.sigma, r.sigma_HG2 = c_2.limit, r.S_H2 = c_2.S, r.u_H2 = c_2.u;
+  r.Z_NT1 = c_1.Z_NT, r.Z_NT2 = c_2.Z_NT;
   r.K_Fbeta1 = face_load_of_root(in, one, r, trace), r.K_Fbeta2 = face_load_of_root(in, two, r, trace);
   const Form f_1 = form_of(in, g, one, trace), f_2 = form_of(in, g, two, trace);
-  r.Y_Fa1 = f_1.Y_Fa, r.Y_Sa1 = f_1.Y_Sa, r.Y_Fa2 = f_2.Y_Fa, r.Y_Sa2 = f_2.Y_Sa;
+  keep_forms(in, f_1, f_2, r);
   const Root t_1 = root_of(in, one, f_1, r.K_Fbeta1, bending_number(one), cycles_of(in, one), r, trace);
   const Root t_2 = root_of(in, two, f_2, r.K_Fbeta2, bending_number(two), cycles_of(in, two), r, trace);
   r.sigma_F01 = t_1.sigma_0, r.sigma_F1 = t_1.sigma, r.sigma_FG1 = t_1.limit, r.S_F1 = t_1.S, r.u_F1 = t_1.u;
   r.sigma_F02 = t_2.sigma_0, r.sigma_F2 = t_2.sigma, r.sigma_FG2 = t_2.limit, r.S_F2 = t_2.S, r.u_F2 = t_2.u;
+  r.Y_B1 = t_1.Y_B, r.Y_B2 = t_2.Y_B, r.Y_NT1 = t_1.Y_NT, r.Y_NT2 = t_2.Y_NT;
   r.x_eps = g.eps_alpha;
   r.x_free = g.x_free, r.s_a = g.s_a, r.f_int = g.f_int;
   r.c_n = std::min(g.c_1, g.c_2), r.j_bn = g.j_bn;

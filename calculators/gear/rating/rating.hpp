@@ -1,11 +1,12 @@
-// Load capacity of cylindrical gears with outer teeth: pitting and tooth breakage by DIN 3990-11.
+// Load capacity of cylindrical gears with outer teeth: pitting and tooth breakage by DIN 3990-11 or ISO 6336.
 //
 // Decides the dynamic factor, the load over the face width and among the teeth, the contact stress and the root stress
 // of both gears, their limits for endurance or at their cycles, and both safety factors. DIN 3990-11:1989, the form of
-// ISO 6336 for machinery; its helix factor is that of DIN 3990-2. Allowable stress numbers by ISO 6336-5 or as given.
-// Loads nominal, with the application factor K_A; T_1 is the torque of gear 1. Not covered: inner teeth, speeds beyond
-// the dynamic constants, load spectra, scuffing, micropitting, case crushing. From memory: moduli of irons, the
-// manufacturing deviation where f_ma is not given, Y_A of idlers.
+// ISO 6336 for machinery, with the helix factor of DIN 3990-2; or the Z and Y factors of ISO 6336-2 and -3:2006, method
+// B, with the load factors of DIN 3990-11. Allowable stress numbers by ISO 6336-5 or as given. Loads nominal, with the
+// application factor K_A; T_1 is the torque of gear 1. Not covered: inner teeth, speeds beyond the dynamic constants,
+// load spectra, scuffing, micropitting, case crushing; of ISO 6336 part 1, edition 2019, protuberance, grinding
+// notches. From memory: moduli of irons, f_ma where it is not given, Y_A of idlers, numbers of some ISO clauses.
 #pragma once
 
 #include "calculators/gear/rating/materials.hpp"
@@ -22,12 +23,14 @@ namespace loadpath::gear {
 
 struct Rating : RatingTypes {
   static constexpr auto id = "gear.rating";
-  static constexpr auto title = "Load capacity of cylindrical gears (DIN 3990-11)";
+  static constexpr auto title = "Load capacity of cylindrical gears (DIN 3990-11, ISO 6336)";
   static constexpr auto scope =
       "Pitting and tooth breakage of external spur and helical gears by DIN 3990-11 (machinery), with the load "
       "factors, "
-      "endurance and finite life; materials by ISO 6336-5.";
-  static constexpr auto source = "[DIN3990-11], [ISO6336-5]";
+      "endurance and finite life; materials by ISO 6336-5. With standard = \"iso6336\" the stresses and limits are "
+      "those "
+      "of ISO 6336-2 and -3:2006.";
+  static constexpr auto source = "[DIN3990-11], [ISO6336-2], [ISO6336-3], [ISO6336-5]";
   static constexpr auto headline = "S_H {S_H1}/{S_H2}";
   static constexpr auto synonyms =
       "gear rating, pitting, tooth breakage, load capacity, ISO 6336, DIN 3990, safety against pitting, root safety, "
@@ -69,10 +72,13 @@ S_Fmin = 1.4
   static bool is_laid_out(const Input& in);
   static bool leaves_middle(const Input& in) { return in.place > Place::middle; }
   static bool is_in_place(const Input& in);
+  static bool is_stiffened(const Input& in);
+  static bool has_rims(const Input& in);
   static double least_deviation(const Input& in);
 
   static constexpr Fields inputs{
       RecordField<Input>{"mesh", "gear pair: mesh = \"=stage.mesh\""},
+      Choice{&Input::standard, "standard", "standard of the Z and Y factors"}.may_be_missing(),
       Count{&Input::z_1, "z_1", 5, 2000, "number of teeth, gear 1"},
       Count{&Input::z_2, "z_2", 5, 2000, "number of teeth, gear 2"},
       Field{&Input::m_n, "m_n", mm, "normal module"}.positive().usually(0.5, 50),
@@ -100,6 +106,14 @@ S_Fmin = 1.4
       Choice{&Input::finish, "finish", "finish of the flanks"}.may_be_missing(),
       Field{&Input::R_z1, "R_z1", um, "flank roughness, gear 1"}.positive().usually(0.5, 40).may_be_missing(),
       Field{&Input::R_z2, "R_z2", um, "flank roughness, gear 2"}.positive().usually(0.5, 40).may_be_missing(),
+      Field{&Input::nu_40, "nu_40", mm2_per_s, "kinematic viscosity of the oil at 40 deg C (ISO 6336-2)"}
+          .positive()
+          .usually(10, 2000)
+          .may_be_missing(),
+      Field{&Input::s_R1, "s_R1", mm, "rim thickness below the root, gear 1 (ISO 6336-3); omitted: solid"}
+          .positive()
+          .may_be_missing(),
+      Field{&Input::s_R2, "s_R2", mm, "rim thickness below the root, gear 2"}.positive().may_be_missing(),
       Choice{&Input::material_1, "material_1", "material and heat treatment, gear 1"},
       Choice{&Input::material_2, "material_2", "material and heat treatment, gear 2"},
       Choice{&Input::quality_1, "quality_1", "material quality of ISO 6336-5, gear 1"}.may_be_missing(),
@@ -129,6 +143,7 @@ S_Fmin = 1.4
       Field{&Input::l, "l", mm, "bearing span of the pinion shaft"}.positive().may_be_missing(),
       Field{&Input::s, "s", mm, "distance of the pinion from the middle of the span"}.positive().may_be_missing(),
       Field{&Input::d_sh, "d_sh", mm, "diameter of the pinion shaft"}.positive().may_be_missing(),
+      Choice{&Input::stiffening, "stiffening", "stiffening of the shaft by the pinion"}.may_be_missing(),
       Choice{&Input::crowning, "crowning", "lead modification: crowning or end relief"}.may_be_missing(),
       Field{&Input::f_ma, "f_ma", um, "misalignment due to manufacturing deviations; omitted: by the grade"}
           .at_least(0)
@@ -176,6 +191,11 @@ S_Fmin = 1.4
       Field{&Result::Z_B, "Z_B", ratio, "single-pair tooth contact factor, gear 1"},
       Field{&Result::Z_D, "Z_D", ratio, "single-pair tooth contact factor, gear 2"},
       Field{&Result::Z_LVR, "Z_LVR", ratio, "factor of lubricant, velocity and roughness"},
+      Field{&Result::Z_L, "Z_L", ratio, "lubricant factor"},
+      Field{&Result::Z_v, "Z_v", ratio, "velocity factor"},
+      Field{&Result::Z_R, "Z_R", ratio, "roughness factor"},
+      Field{&Result::Z_NT1, "Z_NT1", ratio, "life factor for contact, gear 1"},
+      Field{&Result::Z_NT2, "Z_NT2", ratio, "life factor for contact, gear 2"},
       Field{&Result::sigma_H0, "sigma_H0", MPa, "nominal contact stress at the pitch point"},
       Field{&Result::sigma_H1, "sigma_H1", MPa, "contact stress, gear 1"},
       Field{&Result::sigma_H2, "sigma_H2", MPa, "contact stress, gear 2"},
@@ -187,6 +207,14 @@ S_Fmin = 1.4
       Field{&Result::Y_Fa2, "Y_Fa2", ratio, "form factor, gear 2"},
       Field{&Result::Y_Sa1, "Y_Sa1", ratio, "stress correction factor, gear 1"},
       Field{&Result::Y_Sa2, "Y_Sa2", ratio, "stress correction factor, gear 2"},
+      Field{&Result::Y_F1, "Y_F1", ratio, "form factor, outer point of single pair contact, gear 1"},
+      Field{&Result::Y_F2, "Y_F2", ratio, "form factor, outer point of single pair contact, gear 2"},
+      Field{&Result::Y_S1, "Y_S1", ratio, "stress correction factor, gear 1, for Y_F1"},
+      Field{&Result::Y_S2, "Y_S2", ratio, "stress correction factor, gear 2, for Y_F2"},
+      Field{&Result::Y_B1, "Y_B1", ratio, "rim thickness factor, gear 1"},
+      Field{&Result::Y_B2, "Y_B2", ratio, "rim thickness factor, gear 2"},
+      Field{&Result::Y_NT1, "Y_NT1", ratio, "life factor for bending, gear 1"},
+      Field{&Result::Y_NT2, "Y_NT2", ratio, "life factor for bending, gear 2"},
       Field{&Result::Y_eps, "Y_eps", ratio, "contact ratio factor, root"},
       Field{&Result::Y_beta, "Y_beta", ratio, "helix factor, root"},
       Field{&Result::sigma_F01, "sigma_F01", MPa, "nominal root stress, gear 1"},
@@ -227,6 +255,22 @@ S_Fmin = 1.4
                   "the root radius must fit into the dedendum"},
       Rule<Input>{[](const Input& in) { return in.finish == Finish::hobbed || (is_set(in.R_z1) && is_set(in.R_z2)); },
                   "finish, R_z1, R_z2", "ground or shaved flanks need the roughness of both gears"},
+      Rule<Input>{[](const Input& in) {
+                    const bool rough = is_set(in.R_z1) && is_set(in.R_z2);
+                    return in.standard == RatingStandard::din3990 || (is_set(in.nu_40) && rough);
+                  },
+                  "standard, nu_40, R_z1, R_z2",
+                  "ISO 6336-2 needs nu_40, the viscosity of the oil, and the roughness of both gears"},
+      Rule<Input>{[](const Input& in) {
+                    return in.standard == RatingStandard::iso6336 || (!is_set(in.s_R1) && !is_set(in.s_R2));
+                  },
+                  "standard, s_R1, s_R2", "a rim is rated by ISO 6336-3: standard = \"iso6336\""},
+      Rule<Input>{
+          &has_rims, "s_R1, s_R2, m_n, z_1, z_2",
+          "a rim is thicker than half the tooth depth, below which ISO 6336-3 does not rate it, and thinner than "
+          "the root radius"},
+      Rule<Input>{&is_stiffened, "stiffening, d_sh",
+                  "a pinion stiffens its shaft where d_1 is 1.15 d_sh or more: stiffening = \"none\""},
       Rule<Input>{
           [](const Input& in) { return !leaves_middle(in) || (is_set(in.l) && is_set(in.d_sh) && is_set(in.s)); },
           "place, l, d_sh, s", "a pinion away from the middle needs l, s and d_sh"},

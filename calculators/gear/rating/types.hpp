@@ -10,8 +10,12 @@
 
 namespace loadpath::gear {
 
+using Viscosity = decltype(from_si<Area>(1.0) / from_si<Time>(1.0));
+inline constexpr Unit<Viscosity> mm2_per_s{"mm^2/s", from_si<Viscosity>(1e-6)};
+
 struct RatingTypes {
   struct Input {
+    RatingStandard standard = RatingStandard::din3990;
     Whole z_1 = 0, z_2 = 0;
     Length m_n = unset<Length>;
     double alpha_n = 20.0 * deg.one, beta = 0.0, x_1 = 0.0, x_2 = unset<double>;
@@ -26,6 +30,8 @@ struct RatingTypes {
     Whole grade = 0;
     Finish finish = Finish::hobbed;
     Length R_z1 = unset<Length>, R_z2 = unset<Length>;
+    Viscosity nu_40 = unset<Viscosity>;
+    Length s_R1 = unset<Length>, s_R2 = unset<Length>;
     GearMaterial material_1 = GearMaterial::steel, material_2 = GearMaterial::steel;
     Quality quality_1 = Quality::untold, quality_2 = Quality::untold;
     double H_1 = unset<double>, H_2 = unset<double>;
@@ -33,6 +39,7 @@ struct RatingTypes {
     Stress sigma_Flim_1 = unset<Stress>, sigma_Flim_2 = unset<Stress>;
     Place place = Place::untold;
     Length l = unset<Length>, s = unset<Length>, d_sh = unset<Length>;
+    Stiffening stiffening = Stiffening::none;
     Crowning crowning = Crowning::none;
     Length f_ma = unset<Length>;
     Pattern pattern = Pattern::unfavourable;
@@ -50,10 +57,14 @@ struct RatingTypes {
     double K_Fbeta1 = unset<double>, K_Fbeta2 = unset<double>;
     double Z_H = unset<double>, Z_E = unset<double>, Z_eps = unset<double>, Z_beta = unset<double>;
     double Z_B = unset<double>, Z_D = unset<double>, Z_LVR = unset<double>;
+    double Z_L = unset<double>, Z_v = unset<double>, Z_R = unset<double>;
+    double Z_NT1 = unset<double>, Z_NT2 = unset<double>;
     Stress sigma_H0 = unset<Stress>, sigma_H1 = unset<Stress>, sigma_H2 = unset<Stress>;
     Stress sigma_HG1 = unset<Stress>, sigma_HG2 = unset<Stress>;
     double S_H1 = unset<double>, S_H2 = unset<double>;
     double Y_Fa1 = unset<double>, Y_Fa2 = unset<double>, Y_Sa1 = unset<double>, Y_Sa2 = unset<double>;
+    double Y_F1 = unset<double>, Y_F2 = unset<double>, Y_S1 = unset<double>, Y_S2 = unset<double>;
+    double Y_B1 = unset<double>, Y_B2 = unset<double>, Y_NT1 = unset<double>, Y_NT2 = unset<double>;
     double Y_eps = unset<double>, Y_beta = unset<double>;
     Stress sigma_F01 = unset<Stress>, sigma_F02 = unset<Stress>, sigma_F1 = unset<Stress>, sigma_F2 = unset<Stress>;
     Stress sigma_FG1 = unset<Stress>, sigma_FG2 = unset<Stress>;

@@ -45,11 +45,12 @@ struct Wheel {
   Quality quality;
   double H;
   Stress sigma_Hlim, sigma_Flim;
-  Length R_z;
+  Length R_z, s_R;
   double cycles;  // of a tooth for one revolution of gear 1
   bool both_ways;
   struct Symbols {
-    const char *sigma_H, *sigma_HG, *S_H, *u_H, *K_Fbeta, *Y_Fa, *Y_Sa, *sigma_F0, *sigma_F, *sigma_FG, *S_F, *u_F;
+    const char *sigma_H, *sigma_HG, *S_H, *u_H, *K_Fbeta, *Y_Fa, *Y_Sa, *sigma_F0, *sigma_F, *sigma_FG, *S_F, *u_F,
+        *Z_NT, *Y_NT, *Y_F, *Y_S, *Y_B;
   } symbols;
 };
 
@@ -66,10 +67,11 @@ inline Wheel first_of(const Input& in, const PairResult& g) {
           in.sigma_Hlim_1,
           in.sigma_Flim_1,
           in.R_z1,
+          in.s_R1,
           static_cast<double>(in.q_1),
           is_idler(in.idler, Idler::gear_1),
           {"sigma_H1", "sigma_HG1", "S_H1", "u_H1", "K_Fbeta1", "Y_Fa1", "Y_Sa1", "sigma_F01", "sigma_F1", "sigma_FG1",
-           "S_F1", "u_F1"}};
+           "S_F1", "u_F1", "Z_NT1", "Y_NT1", "Y_F1", "Y_S1", "Y_B1"}};
 }
 inline Wheel second_of(const Input& in, const PairResult& g) {
   return {static_cast<double>(in.z_2),
@@ -84,10 +86,11 @@ inline Wheel second_of(const Input& in, const PairResult& g) {
           in.sigma_Hlim_2,
           in.sigma_Flim_2,
           in.R_z2,
+          in.s_R2,
           static_cast<double>(in.q_2) * static_cast<double>(in.z_1) / static_cast<double>(in.z_2),
           is_idler(in.idler, Idler::gear_2),
           {"sigma_H2", "sigma_HG2", "S_H2", "u_H2", "K_Fbeta2", "Y_Fa2", "Y_Sa2", "sigma_F02", "sigma_F2", "sigma_FG2",
-           "S_F2", "u_F2"}};
+           "S_F2", "u_F2", "Z_NT2", "Y_NT2", "Y_F2", "Y_S2", "Y_B2"}};
 }
 
 }  // namespace loadpath::gear::rating

@@ -81,12 +81,12 @@ Form form_of_iso(const Input& in, const PairResult& g, const Wheel& wheel, const
 /// Y_B of a rim: 1 of a solid gear.
 template <class Tracer>
 double rim_factor(const Wheel& wheel, Tracer& trace) {
-  if (!is_set(wheel.s_R)) return trace.value(wheel.symbols.Y_B, 1.0, "rim thickness factor, no rim stated");
+  if (!is_set(wheel.s_R)) return trace.value("Y_B", 1.0, "rim thickness factor, no rim stated");
   const Length s_R = trace.value("s_R", wheel.s_R, "rim thickness of this gear");
   const Length d_a = wheel.d_a, d_f = trace.value("d_f", wheel.d_f, "root circle");
   trace.value("d_a", d_a, "tip circle");
   STEP(h_t, (d_a - d_f) / 2.0, "tooth depth");
-  return NAMED_STEP(wheel.symbols.Y_B, s_R / h_t < 1.2 ? 1.6 * log(2.242 * h_t / s_R) : 1.0,
+  return NAMED_STEP("Y_B", s_R / h_t < 1.2 ? 1.6 * log(2.242 * h_t / s_R) : 1.0,
                     "rim thickness factor, [ISO6336-3] 2006, clause 9");
 }
 

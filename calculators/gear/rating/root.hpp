@@ -79,7 +79,8 @@ Stress nominal_root(const Input& in, const Wheel& wheel, const Form& form, const
   if (is_iso(in)) {
     const double Y_F = trace.value("Y_F", form.Y_F, "form factor of this gear");
     const double Y_S = trace.value("Y_S", form.Y_S, "its stress correction factor");
-    const double Y_B = root.Y_B = rim_factor(wheel, trace);
+    const double Y_B = rim_factor(wheel, trace);
+    root.Y_B = trace.value(wheel.symbols.Y_B, Y_B, "of this gear");
     const double Y_DT = trace.value("Y_DT", 1.0, "deep tooth factor, grades above 4, [ISO6336-3] 2006, clause 10");
     return NAMED_STEP("sigma_F0", F_t / (in.b * in.m_n) * Y_F * Y_S * Y_beta * Y_B * Y_DT,
                       "nominal root stress, [ISO6336-3] 2006, 5.2");

@@ -41,11 +41,8 @@ constexpr std::array all{
                 "bevel gear, hypoid gear, crown gear, spiral bevel, Kegelrad, Kegelradgetriebe, Hypoidrad, "
                 "коническая передача, коническое колесо",
                 "gear.pair, drive.train"},
-    NotIncluded{"pitting, scuffing and the gear rating of ISO 6336 and AGMA 2001",
-                "pitting, scuffing, gear rating, tooth flank, ISO 6336, DIN 3990, AGMA, AGMA 2001, contact stress, "
-                "Hertz, Hertzian pressure, Grübchen, Fressen, Zahnflanke, Hertzsche Pressung, питтинг, заедание, "
-                "контактные напряжения",
-                "gear.pair"},
+    NotIncluded{"scuffing, micropitting and the gear rating of AGMA 2001",
+                "scuffing, micropitting, AGMA, AGMA 2001, Fressen, Graufleckigkeit, заедание", "gear.rating"},
     NotIncluded{"clutches and couplings",
                 "clutch, coupling, friction clutch, shaft coupling, universal joint, Cardan joint, freewheel, "
                 "Kupplung, Reibkupplung, Wellenkupplung, Gelenkwelle, Kreuzgelenk, Freilauf, муфта, сцепление, "

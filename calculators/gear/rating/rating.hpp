@@ -26,15 +26,15 @@ struct Rating : RatingTypes {
   static constexpr auto title = "Load capacity of cylindrical gears (DIN 3990-11, ISO 6336)";
   static constexpr auto scope =
       "Pitting and tooth breakage of external spur and helical gears by DIN 3990-11 (machinery), with the load "
-      "factors, "
-      "endurance and finite life; materials by ISO 6336-5. With standard = \"iso6336\" the stresses and limits are "
-      "those "
-      "of ISO 6336-2 and -3:2006.";
+      "factors, endurance and finite life; materials by ISO 6336-5. With standard = \"iso6336\" the stresses and "
+      "limits are those of ISO 6336-2 and -3:2006.";
   static constexpr auto source = "[DIN3990-11], [ISO6336-2], [ISO6336-3], [ISO6336-5]";
   static constexpr auto headline = "S_H {S_H1}/{S_H2}";
   static constexpr auto synonyms =
-      "gear rating, pitting, tooth breakage, load capacity, ISO 6336, DIN 3990, safety against pitting, root safety, "
-      "Tragfähigkeit, Grübchen, Zahnfuß, Flankentragfähigkeit, выкрашивание, прочность зубьев";
+      "gear rating, pitting, tooth breakage, load capacity, ISO 6336, DIN 3990, contact stress, "
+      "Hertzian pressure, rim thickness, tooth flank, safety against pitting, root safety, "
+      "Tragfähigkeit, Grübchen, Zahnfuß, Flankentragfähigkeit, выкрашивание, питтинг, контактные напряжения, прочность "
+      "зубьев";
   static constexpr auto example = R"([project]
 title = "Rating of a reducer stage"
 

@@ -17,6 +17,9 @@ using namespace loadpath::test;
 /// shaft.design with all that its material gives but the moduli.
 #define WITHOUT_MATERIAL "material = \nrho = \"7850 kg/m^3\"\nR_e = \"370 MPa\"\nR_m = \"630 MPa\"\n"
 
+/// gear.rating by ISO 6336.
+#define OF_ISO "standard = \"iso6336\"\nnu_40 = \"150 mm^2/s\"\n"
+
 struct Law {
   const char* calculator;
   const char* from;
@@ -188,6 +191,11 @@ const Law drives[] = {
     {"gear.rating", "", "S_Hmin = 2.2", "u_H2", 2},
     {"gear.rating", "", "S_Fmin = 2.8", "u_F1", 2},
     {"gear.rating", "", "S_Fmin = 2.8", "u_F2", 2},
+    {"gear.rating", "", OF_ISO, "sigma_H0", 1},  // spur gears
+    {"gear.rating", "", OF_ISO, "sigma_H1", 1},
+    {"gear.rating", OF_ISO, OF_ISO "S_Fmin = 2.8", "u_F1", 2},
+    {"gear.rating", OF_ISO, OF_ISO "R_z1 = \"10 um\"\nR_z2 = \"10 um\"", "Z_R", std::pow(0.5, 0.08)},
+    {"gear.rating", OF_ISO "L_h = \"10000 h\"", OF_ISO "n_1 = \"490 rpm\"\nL_h = \"20000 h\"", "Z_NT2", 1},
     {"gear.pair", "", "m_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"", "F_t", 4},
     {"gear.pair", "", "m_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"", "eps_gamma", 1},
     {"gear.pair", "cutting = ", "cutting = \nm_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"",

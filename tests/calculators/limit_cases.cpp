@@ -457,6 +457,19 @@ const char* const rack = "mesh = \"rack\"\nz_2 = \nsigma_adm_2 = \nbeta = \"0 de
 // A wheel of 20 teeth of 2.5 mm, shifted by 0.3, on a rack.
 const Case racks[] = {
     {"gear.rating", "beta = \"8 deg\"", "Z_beta", std::sqrt(std::cos(8 * pi / 180))},
+    {"gear.rating", "beta = \"8 deg\"\nstandard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"", "Z_beta",
+     1 / std::sqrt(std::cos(8 * pi / 180))},
+    {"gear.rating", "standard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"", "Z_L", 0.91 + 0.36 / (2.2 * 2.2)},
+    {"gear.rating", "standard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"", "Z_NT1", 0.85},
+    {"gear.rating", "standard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"\ns_R2 = \"20 mm\"", "Y_B2", 1},
+    {"gear.rating", "standard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"\nshortening = \"none\"\ns_R1 = \"6 mm\"", "Y_B1",
+     1.6 * std::log(2.242 * 1.5)},
+    // Far from the middle, on a shaft that the pinion stiffens: 0.48 instead of 0.8; overhung it makes no difference.
+    {"gear.rating",
+     "place = \"a\"\nl = \"200 mm\"\ns = \"50 mm\"\nd_sh = \"60 mm\"\nstiffening = \"pinion\"\nT_1 = \"1.4592 "
+     "N*m\"\nn_1 "
+     "= \"0.001 rpm\"",
+     "f_sh", 1e-6 * 0.023 * 48 * 48 / (76 * 76) * (1 + 0.48 * 200 * 50 / (76 * 76) * std::pow(76.0 / 60, 4))},
     {"gear.rating", "f_ma = \"0 um\"\nb = \"1 um\"\nT_1 = \"1 N*m\"", "K_Hbeta", 1},
     // Far from the middle, and a torque that enters there, but no load: nothing bends.
     {"gear.rating",

@@ -66,7 +66,7 @@ In soft_wheel() {
 
 }  // namespace
 
-TEST_SUITE("gear.rating, ISO 6336") {
+TEST_SUITE("gear rating by ISO 6336") {
   TEST_CASE("example 1 of ISO/TR 6336-30: every factor of the flanks, and both limits") {
     const auto r = rated_well(example_1());
     CHECK(rel(r.F_t / N, 127352) < 1e-5);

@@ -2,6 +2,8 @@
 
 #include "lib/report/derivation_blocks.hpp"
 
+#include <algorithm>
+
 namespace loadpath::report {
 
 namespace {
@@ -32,23 +34,27 @@ Table numbers_of(const std::vector<Derived>& lines) {
 
 std::vector<Block> PrintedFormulas::blocks(const std::string& calculator, const std::string& title,
                                            const std::vector<Derived>& lines) {
-  const auto known = first_.find(calculator);
-  if (known == first_.end()) {
-    First& first = first_[calculator];
-    first.title = title;
-    for (const Derived& line : lines) first.formulas.insert(formula_of(line));
-    return derivation_blocks(lines);
-  }
-  First& first = known->second;
+  std::vector<Printed>& steps = printed_[calculator];
   std::vector<Derived> own, repeated;
-  for (const Derived& line : lines) (first.formulas.contains(formula_of(line)) ? repeated : own).push_back(line);
+  const auto is_known = [&](const Derived& line) {
+    const std::string formula = formula_of(line);
+    return std::ranges::any_of(steps, [&](const Printed& step) { return step.formulas.contains(formula); });
+  };
+  for (const Derived& line : lines) (is_known(line) ? repeated : own).push_back(line);
   std::vector<Block> all;
-  if (!repeated.empty()) {
-    all.emplace_back(Paragraph{say("Formulas as for {1}, with these numbers:", first.title), Paragraph::Tone::note});
-    all.emplace_back(numbers_of(repeated));
+  for (const Printed& step : steps) {
+    std::vector<Derived> of_step;
+    for (const Derived& line : repeated) {
+      if (step.formulas.contains(formula_of(line))) of_step.push_back(line);
+    }
+    if (of_step.empty()) continue;
+    all.emplace_back(Paragraph{say("Formulas as for {1}, with these numbers:", step.title), Paragraph::Tone::note});
+    all.emplace_back(numbers_of(of_step));
   }
   for (Block& block : derivation_blocks(own)) all.push_back(std::move(block));
-  for (const Derived& line : own) first.formulas.insert(formula_of(line));
+  if (own.empty()) return all;
+  steps.push_back({title, {}});
+  for (const Derived& line : own) steps.back().formulas.insert(formula_of(line));
   return all;
 }
 

@@ -17,6 +17,12 @@ std::string numbered(std::string_view kind, int number, const Message& caption) 
   return "<b>" + escaped(label) + ".</b> " + escaped(caption.text());
 }
 
+/// Whether a page has to leave much height for it: a shaft above its diagrams.
+bool is_tall(const figure::Figure& figure) {
+  const auto* const shaft = std::get_if<figure::Shaft>(&figure.content);
+  return shaft != nullptr && !shaft->diagrams.empty();
+}
+
 /// Writes block after block; numbers run through the page.
 class Writer {
  public:
@@ -91,7 +97,7 @@ class Writer {
     has_chart_ = has_chart_ || tells;
     return (moves   ? "<figure class=\"moving\">" + page::motion(figure)
             : tells ? "<figure>" + page::chart(figure)
-                    : "<figure>" + draw::svg_in_page(figure)) +
+                    : (is_tall(figure) ? "<figure class=\"tall\">" : "<figure>") + draw::svg_in_page(figure)) +
            "<figcaption>" + numbered("Figure", numbering_.figure(), say(figure.caption)) + "</figcaption></figure>\n";
   }
   std::string input(const std::string& text) {

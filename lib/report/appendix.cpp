@@ -2,6 +2,7 @@
 
 #include "lib/quantity/format.hpp"
 #include "lib/report/repeated.hpp"
+#include "lib/report/summary/numbers.hpp"
 #include "lib/report/why.hpp"
 #include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
@@ -262,11 +263,19 @@ std::vector<AppliedFactor> applied_factors(const Project& project) {
   return factors;
 }
 
+bool is_safety(const Entry& entry) {
+  const std::string_view symbol = std::string_view(entry.path).substr(entry.path.rfind('.') + 1);
+  return entry.role == Role::result && entry.unit == "-" && !symbol.starts_with("u_") &&
+         entry.doc.find("safety") != std::string::npos;
+}
+
 Cell cell_of(const Entry& entry) {
+  constexpr double most_safety = 1000.0;  // above, the value says only that the stress is small
   if (!entry.word.empty()) return entry.word;
   if (!entry.value.is_series()) {
     const double si = entry.value.si.empty() ? NAN : entry.value.si[0];
     if (std::isnan(si) && !entry.missing.empty()) return say("not available: {1}", entry.missing);
+    if (std::isfinite(si) && si > most_safety && is_safety(entry)) return safety_number(si);
     return Quantity{si, entry.unit};
   }
   if (is_constant(entry.value)) return Quantity{entry.value.si.front(), entry.unit};

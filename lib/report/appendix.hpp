@@ -24,6 +24,8 @@ std::vector<Table> list_tables(const std::vector<account::Entry>& entries);
 
 /// A value as one cell: a number, a word, or the range of a series.
 Cell cell_of(const account::Entry& entry);
+/// Whether a result is a safety factor, and no ratio of two of them.
+bool is_safety(const account::Entry& entry);
 /// Whether a value is known.
 bool is_available(const account::Entry& entry);
 

@@ -106,7 +106,8 @@ std::vector<bool> numeric_columns(const Table& table) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const auto* text = std::get_if<std::string>(&row[i]);
       const bool is_quantity = std::holds_alternative<Quantity>(row[i]) || std::holds_alternative<Utilisation>(row[i]);
-      const bool empty = text != nullptr && text->empty();
+      const bool is_capped = text != nullptr && text->starts_with("> ");  // "> 1000"
+      const bool empty = text != nullptr && (text->empty() || is_capped);
       quantity[i] = quantity[i] || is_quantity;
       other[i] = other[i] || (!is_quantity && !empty);
     }

@@ -78,7 +78,7 @@ std::string compared_text(const Project& project, const Mode& mode) {
   if (!mode.utilisation || !(*mode.utilisation > 0.0) || step == nullptr)
     return mode.utilisation ? std::string() : account::reason(mode).text();
   const auto safety = safety_of(reasons_of(step->account(), mode.governs), mode);
-  return safety ? unbroken(short_number(safety->required) + " / " + short_number(safety->actual)) : std::string();
+  return safety ? unbroken(short_number(safety->required) + " / " + safety_number(safety->actual)) : std::string();
 }
 
 /// "gear 1" is not broken between lines.
@@ -126,10 +126,10 @@ std::string safety_text(const Project& project, const Mode& mode) {
   if (step == nullptr || !mode.utilisation || !(*mode.utilisation > 0.0)) return {};
   const Reasons reasons = reasons_of(step->account(), mode.governs);
   if (const auto safety = safety_of(reasons, mode))
-    return unbroken(short_number(safety->actual) + " / " + short_number(safety->required));
+    return unbroken(safety_number(safety->actual) + " / " + short_number(safety->required));
   if (const std::string allowable = allowable_of(reasons); !allowable.empty())
     return unbroken(say("in {1}", allowable).text());
-  return unbroken(short_number(1.0 / *mode.utilisation) + " / 1");
+  return unbroken(safety_number(1.0 / *mode.utilisation) + " / 1");
 }
 
 Table governing_table(const Project& project, const std::vector<Governing>& rows) {

@@ -3,6 +3,7 @@
 #include "lib/formula/formula.hpp"
 #include "lib/formula/names.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/report/appendix.hpp"
 #include "lib/report/summary/numbers.hpp"
 #include "lib/report/summary/summary.hpp"
 #include "lib/report/worked.hpp"
@@ -74,6 +75,7 @@ std::string short_value(const Entry& entry) {
   if (entry.value.si.empty()) return {};
   const bool is_series = entry.value.is_series();
   const double si = is_series ? largest(entry.value).value : entry.value.si.front();
+  if (!is_series && is_safety(entry)) return unbroken(safety_number(si));
   const bool as_typed = !is_series && is_typed(entry) && std::isfinite(si);
   std::string text = as_typed ? format_quantity(si, entry.unit, digits) : short_quantity(si, entry.unit);
   if (text.starts_with('-')) text.replace(0, 1, "\u2212");

@@ -51,6 +51,11 @@ std::string short_number(double value) {
   return format_number(value, leading < 2.0 ? 4 : 3);
 }
 
+std::string safety_number(double value) {
+  constexpr double most = 1000.0;  // above, the value says only that the stress is small
+  return std::isfinite(value) && value > most ? "> 1000" : short_number(value);
+}
+
 std::string short_quantity(double si, const std::string& unit) {
   const std::string shown = readable(si, unit);
   return with_unit(short_number(in_unit(si, shown)), shown);

@@ -9,7 +9,9 @@ namespace loadpath::report {
 
 /// Three significant digits, four behind a leading 1: "2.69", "10.79".
 std::string short_number(double value);
-/// The same with a prefix that gives 1 to 9999: "45.3 kN", "34.8 µm", "30°".
+/// A safety factor: "2.69", above 1000 "> 1000".
+std::string safety_number(double value);
+/// A number with a prefix that gives 1 to 9999: "45.3 kN", "34.8 µm", "30°".
 std::string short_quantity(double si, const std::string& unit);
 /// Both in one unit: "45.3 / 42.3 kN".
 std::string short_pair(const account::Quantity& demand, const account::Quantity& capacity);

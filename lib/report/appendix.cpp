@@ -72,6 +72,30 @@ Table input_table(const Account& account) {
   return table;
 }
 
+/// Whether a default says that something is absent: no teeth, a choice for parts that there are not.
+bool says_nothing(const Entry& entry, const FieldInfo* field) {
+  if (!entry.origin.assumed || entry.value.is_series()) return false;
+  if (entry.word.empty()) return entry.value.si.empty() || entry.value.si.front() == 0.0;
+  return field != nullptr && field->optional;
+}
+
+/// The inputs without fields of lists that no element uses, as those of planetary sets in a train of gears.
+std::vector<Entry> used_inputs(const Step& step) {
+  std::set<std::string> used;
+  const auto key = [](const ElementPath& path) { return path.list + "." + path.field; };
+  const auto& fields = step.input().calculator->input->fields;
+  for (const Entry& e : step.account().inputs) {
+    const auto path = element_path(e.path);
+    if (path && !says_nothing(e, find_field_at(fields, e.path))) used.insert(key(*path));
+  }
+  std::vector<Entry> inputs = step.account().inputs;
+  std::erase_if(inputs, [&](const Entry& e) {
+    const auto path = element_path(e.path);
+    return path && !used.contains(key(*path));
+  });
+  return inputs;
+}
+
 template <class Items>
 void append(std::vector<Block>& blocks, const Items& items) {
   for (const auto& item : items) blocks.emplace_back(item);
@@ -135,7 +159,7 @@ void Appendix::add_inputs(const Step& step) {
   const Account& account = step.account();
   if (account.input_blocks.empty()) {
     blocks_.emplace_back(input_table(account));
-    append(blocks_, list_tables(account.inputs));
+    append(blocks_, list_tables(used_inputs(step)));
   }
   append(blocks_, account.input_blocks);
   add_remarks(step.remarks(), blocks_);

@@ -14,9 +14,25 @@ std::string kept(const std::string& quantity) {
   return text.find(' ') == std::string::npos ? text : "<span class=\"quantity\">" + text + "</span>";
 }
 
+/// An expression may break behind the dots of its paths: "= intermediate.bearings.left.F_r" in a narrow column.
+std::string breakable(const std::string& text) {
+  if (!text.starts_with('=')) return escaped(text);
+  const auto is_letter = [](char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; };
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = text.find('.', begin);
+    while (end != std::string::npos && (end + 1 == text.size() || !is_letter(text[end + 1])))
+      end = text.find('.', end + 1);
+    end = end == std::string::npos ? text.size() : end + 1;
+    out += escaped(text.substr(begin, end - begin)) + (end < text.size() ? "<wbr>" : "");
+    begin = end;
+  }
+  return out;
+}
+
 struct CellText {
-  std::string operator()(const std::string& text) const { return escaped(text); }
-  std::string operator()(const Message& message) const { return escaped(message.text()); }
+  std::string operator()(const std::string& text) const { return breakable(text); }
+  std::string operator()(const Message& message) const { return breakable(message.text()); }
   std::string operator()(const Quantity& q) const { return kept(formula::quantity_plain(written(q))); }
   std::string operator()(const Symbol& s) const { return symbol(s.name); }
   std::string operator()(State s) const { return state(s); }

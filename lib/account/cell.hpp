@@ -23,9 +23,12 @@ struct Symbol {
 struct Utilisation {
   double value = 0.0;
 };
-/// A value that a search has found: the writer emphasises it.
+/// A value that a search has found: the writer emphasises it. What was given with it follows.
 struct Sized {
   std::string text;
+  std::string rest = {};  // "d = 48 mm, l = 36 mm"; may be empty
+  /// What follows the mark of the text.
+  [[nodiscard]] std::string behind() const { return rest.empty() ? rest : ", " + rest; }
 };
 /// Text of the user or of a message: escaped by the writer.
 using Cell = std::variant<std::string, Message, Quantity, Symbol, State, Utilisation, Sized>;

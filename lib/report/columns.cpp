@@ -27,7 +27,7 @@ double letters_in(const Cell& of, const Column& column) {
   if (const auto* const q = std::get_if<Quantity>(&of)) return letters_of(number_of(*q, column));
   constexpr double longest_word = 13.0;  // "not available" breaks
   if (const auto* const text = std::get_if<std::string>(&of)) return letters_of(*text);
-  if (const auto* const sized = std::get_if<Sized>(&of)) return letters_of(sized->text) + 1.0;
+  if (const auto* const sized = std::get_if<Sized>(&of)) return letters_of(sized->text + sized->behind()) + 1.0;
   return longest_word;
 }
 

@@ -4,6 +4,7 @@
 #include "lib/report/brief/fields.hpp"
 #include "lib/report/brief/figures.hpp"
 #include "lib/report/brief/governing.hpp"
+#include "lib/report/brief/heights.hpp"
 #include "lib/report/brief/inputs.hpp"
 #include "lib/report/brief/results.hpp"
 #include "lib/report/brief/sizes.hpp"
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace loadpath::report {
 
@@ -20,6 +23,7 @@ using project::Project;
 
 constexpr double half = 84.0, other_half = 87.0, narrow = 66.0, wide = 105.0;  // shares of the grid, mm
 constexpr double page_height = 258.0;                                          // mm
+constexpr double first_page = 266.0, title_height = 47.0;                      // with the verdict below the title, mm
 constexpr std::size_t most_modes = 10;
 
 /// A band of one column over the whole width.
@@ -45,9 +49,11 @@ class Pages {
   bool takes(const Panel& panel);
   [[nodiscard]] Page recomputing() const;
   void add_derivations(double height, Page& page) const;
-  [[nodiscard]] Panel sizes() const;
+  [[nodiscard]] Panel sizes(std::size_t most_lines) const;
   [[nodiscard]] Panel modes() const;
-  void add_main(Page& page);
+  [[nodiscard]] Band fields(double room);
+  [[nodiscard]] double figures_height() const;
+  void add_main(double room, Page& page);
   void add_figure(const StepFigure& figure, bool whole, Panel& panel);
   [[nodiscard]] const project::Step* main_step() const { return main_.empty() ? nullptr : main_.back().step; }
 
@@ -56,7 +62,8 @@ class Pages {
   std::vector<Governing> rows_;
   std::vector<StepFigure> main_, further_;
   ShownFigures shown_;
-  double rest_ = 0.0;  // height left on the page, mm
+  std::optional<Panel> assumptions_;  // where page 1 has no room for them
+  double rest_ = 0.0;                 // height left on the page, mm
 };
 
 /// Whether one page holds all: a step of which few formulas govern.
@@ -77,13 +84,10 @@ void Pages::add_figure(const StepFigure& figure, bool whole, Panel& panel) {
   if (whole || is_brief(*figure.figure)) shown_.insert(figure.figure);
 }
 
-Panel Pages::sizes() const {
-  constexpr std::size_t most_sizes = 12, most_next = 3;
+Panel Pages::sizes(std::size_t most_lines) const {
   Panel panel{say("Chosen sizes"), {}, {}};
-  Table table = sizes_table(project_, summary_, most_sizes);
-  if (table.rows.empty()) return panel;
-  panel.blocks.emplace_back(std::move(table));
-  for (Block& note : next_size_notes(summary_, most_next)) panel.blocks.push_back(std::move(note));
+  Table table = sizes_table(project_, summary_, most_lines);
+  if (!table.rows.empty()) panel.blocks.emplace_back(std::move(table));
   return panel;
 }
 
@@ -94,36 +98,68 @@ Panel Pages::modes() const {
   return {say("Governing failure modes"), remark, {governing_table(project_, rows_)}};
 }
 
-/// Figures, sizes and governing modes. A figure about as high as wide would be set too small in the width of the page:
-/// the sizes stand at its side.
-void Pages::add_main(Page& page) {
+/// What the figures of page 1 take, as the style sheet limits them.
+double Pages::figures_height() const {
+  constexpr double of_one = 69.0, of_several = 78.0;
+  if (main_.empty()) return 0.0;
+  return main_.size() > 1 ? of_several : of_one;
+}
+
+/// Figures, sizes and governing modes, in a height. A figure about as high as wide would be set too small in the width
+/// of the page: the sizes stand at its side.
+void Pages::add_main(double room, Page& page) {
+  constexpr double of_line = 3.5, heading = 17.0, least_lines = 8.0;  // mm
+  constexpr std::size_t most_next = 3;
   Band figures;
   for (const StepFigure& figure : main_) {
     Panel panel;
     add_figure(figure, false, panel);
     figures.push_back({figures.empty() ? half : other_half, {std::move(panel)}});
   }
-  Panel chosen = sizes();
+  Panel governing = modes();
+  Panel chosen = sizes(static_cast<std::size_t>(std::max(least_lines, (room - heading) / of_line)));
   const bool has_sizes = !chosen.blocks.empty(), has_modes = !rows_.empty();
+  if (has_sizes) {
+    const bool below_modes = has_modes && height_of(governing, wide) < height_of(chosen, narrow);
+    for (Block& note : next_size_notes(summary_, most_next))
+      (below_modes ? governing : chosen).blocks.push_back(std::move(note));
+  }
   if (has_sizes && main_.size() == 1 && is_compact(*main_.front().figure)) {
     figures.push_back({other_half, {std::move(chosen)}});
     page.bands.push_back(std::move(figures));
-    if (has_modes) page.bands.push_back(across(modes()));
+    if (has_modes) page.bands.push_back(across(std::move(governing)));
     return;
   }
   if (!figures.empty()) page.bands.push_back(std::move(figures));
   Band band;
   if (has_sizes) band.push_back({narrow, {std::move(chosen)}});
-  if (has_modes) band.push_back({wide, {modes()}});
+  if (has_modes) band.push_back({wide, {std::move(governing)}});
   if (!band.empty()) page.bands.push_back(std::move(band));
 }
 
+/// What is not decided, in a height. The assumptions stand in the column that has more room for them; where it has too
+/// little, on page 2.
+Band Pages::fields(double room) {
+  Band all{{half, {outside_scope(summary_), not_assessed(summary_)}},
+           {other_half, {accepted_by_user(summary_), not_considered(summary_)}}};
+  const double left = height_of({all[0]}), right = height_of({all[1]});
+  Stack& shorter = left <= right ? all[0] : all[1];
+  Panel assumed = assumptions(project_);
+  if (std::min(left, right) + height_of(assumed, shorter.share) <= room || is_short())
+    shorter.panels.push_back(std::move(assumed));
+  else
+    assumptions_ = std::move(assumed);
+  return all;
+}
+
 Page Pages::deciding() {
+  constexpr double least_sizes = 45.0;  // mm
   Page page;
   page.is_numbered = false;
-  add_main(page);
-  page.bands.push_back({{half, {outside_scope(summary_), not_assessed(summary_), assumptions(project_)}},
-                        {other_half, {accepted_by_user(summary_), not_considered(summary_)}}});
+  const double room = first_page - title_height - figures_height();
+  Band undecided = fields(room - std::max(height_of(modes(), wide), least_sizes));
+  add_main(room - height_of(undecided), page);
+  page.bands.push_back(std::move(undecided));
   return page;
 }
 
@@ -157,6 +193,10 @@ Page Pages::checking() {
   constexpr std::size_t most_results = 40;
   Page page;
   page.bands.push_back(inputs_and_diagrams());
+  if (assumptions_) {
+    rest_ -= height_of(*assumptions_, half + other_half);
+    page.bands.push_back(across(std::move(*assumptions_)));
+  }
   if (const project::Step* const step = main_step()) {
     for (Panel& panel : list_panels(*step, summary_.modes)) {
       if (takes(panel)) page.bands.push_back(across(std::move(panel)));

@@ -38,7 +38,9 @@ std::vector<Message> lines_of(const std::vector<Gap>& gaps) {
 
 /// "K_A 1.25 (belts, gears)": equal factors of several steps are one.
 std::vector<std::string> factors_of(const project::Project& project, bool assumed) {
+  constexpr std::size_t most_steps = 3;
   std::vector<std::pair<std::string, std::string>> all;  // factor, steps
+  std::map<std::string, std::size_t> count;
   for (const AppliedFactor& factor : applied_factors(project)) {
     if (factor.entry->origin.assumed != assumed || !is_available(*factor.entry)) continue;
     const std::string text = short_symbol(factor.entry->path) + "\u00A0" + short_value(*factor.entry);
@@ -46,8 +48,12 @@ std::vector<std::string> factors_of(const project::Project& project, bool assume
     const auto known = std::ranges::find(all, text, &std::pair<std::string, std::string>::first);
     if (known == all.end())
       all.emplace_back(text, name);
-    else if (known->second.find(name) == std::string::npos)
+    else if (known->second.find(name) == std::string::npos && ++count[text] < most_steps)
       known->second += ", " + name;
+  }
+  for (auto& [text, steps] : all) {
+    if (const std::size_t more = count[text] + 1; more > most_steps)
+      steps += ", " + say("{1} more", std::to_string(more - most_steps)).text();
   }
   std::vector<std::string> texts(all.size());
   std::ranges::transform(all, texts.begin(), [&](const auto& of) {

@@ -1,8 +1,11 @@
 #include "lib/report/brief/sizes.hpp"
 
 #include "lib/report/brief/names.hpp"
+#include "lib/report/columns.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace loadpath::report {
 
@@ -45,36 +48,77 @@ bool has_size(const Project& project, const Component& component) {
          });
 }
 
-void add_rows(const Project& project, const Component& component, Table& table) {
-  const std::string material = material_of(project, component.name);
-  const auto add = [&](Cell size, bool first) {
-    table.rows.push_back({first ? component.name : std::string(), std::move(size), first ? material : std::string()});
-  };
-  bool first = true;
-  for (const std::string& name : component.sizes) {
-    const std::string size = with_greek(name);
-    add(component.is_sized ? Cell(Sized{size}) : Cell(size), first);
-    first = false;
+std::string joined(const std::vector<std::string>& texts, const char* separator) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : separator) + with_greek(text);
+  return all;
+}
+
+/// Whether the diameters of a component are in a figure of its shaft.
+bool is_drawn(const Project& project, const Component& component) {
+  return std::ranges::any_of(project.steps, [&](const auto& step) {
+    return component_name(*step) == component.name &&
+           std::ranges::any_of(step->account().figures, [](const figure::Figure& figure) {
+             return std::holds_alternative<figure::Shaft>(figure.content);
+           });
+  });
+}
+
+/// What was found is marked size by size; what was given follows.
+Cell size_cell(const Project& project, const Component& component, bool with_given) {
+  if (!component.is_sized) return joined(component.sizes, ", ");
+  const std::string given = with_given ? joined(other_sizes(project, component), ", ") : std::string();
+  return Sized{joined(component.sizes, "*, "), given};
+}
+
+/// A row for each component. Where there is little room, the figure of a shaft has its given diameters.
+std::vector<std::vector<Cell>> rows_of(const Project& project, const Summary& summary, bool is_close) {
+  std::vector<Component> components = summary.components;
+  std::stable_partition(components.begin(), components.end(),
+                        [](const Component& component) { return component.is_sized; });
+  std::vector<std::vector<Cell>> rows;
+  for (const Component& component : components) {
+    if (component.sizes.empty() || !has_size(project, component)) continue;
+    Cell size = size_cell(project, component, !is_close || !is_drawn(project, component));
+    rows.push_back({component.name, std::move(size), material_of(project, component.name)});
   }
-  if (!component.is_sized) return;
-  for (const std::string& size : other_sizes(project, component)) add(with_greek(size), false);
+  return rows;
+}
+
+/// The lines of a row in the narrow column of page 1, whose words are not broken.
+std::size_t lines_of(const std::vector<Cell>& row) {
+  constexpr std::array<double, 3> letters_in_line{15.0, 21.0, 12.0};
+  double lines = 1.0;
+  for (std::size_t i = 0; i < row.size() && i < letters_in_line.size(); ++i) {
+    const auto* const sized = std::get_if<Sized>(&row[i]);
+    const std::string text = sized != nullptr ? sized->text + sized->behind() : std::get<std::string>(row[i]);
+    lines = std::max(lines, std::ceil(letters_of(text) / letters_in_line[i]));
+  }
+  return static_cast<std::size_t>(lines);
+}
+
+/// Drops the last rows beyond a number of lines.
+std::size_t drop_rows(Table& table, std::size_t most_lines) {
+  std::size_t lines = 0, kept = 0;
+  while (kept < table.rows.size() && (lines += lines_of(table.rows[kept])) <= most_lines) ++kept;
+  const std::size_t left = table.rows.size() - kept;
+  table.rows.resize(kept);
+  return left;
 }
 
 }  // namespace
 
+std::size_t lines_of(const Table& sizes) {
+  std::size_t lines = 0;
+  for (const auto& row : sizes.rows) lines += lines_of(row);
+  return lines;
+}
+
 Table sizes_table(const Project& project, const Summary& summary, std::size_t most) {
   Table table{{}, {say("Component"), say("Size"), say("Material")}, {}};
-  std::vector<Component> components = summary.components;
-  std::stable_partition(components.begin(), components.end(),
-                        [](const Component& component) { return component.is_sized; });
-  std::size_t left = 0;
-  for (const Component& component : components) {
-    if (component.sizes.empty() || !has_size(project, component)) continue;
-    if (table.rows.size() + component.sizes.size() > most)
-      ++left;
-    else
-      add_rows(project, component, table);
-  }
+  table.rows = rows_of(project, summary, false);
+  if (lines_of(table) > most) table.rows = rows_of(project, summary, true);
+  const std::size_t left = drop_rows(table, most);
   const bool no_material = std::ranges::all_of(table.rows, [](const auto& row) {
     const auto* const text = std::get_if<std::string>(&row.back());
     return text != nullptr && text->empty();

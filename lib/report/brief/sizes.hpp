@@ -8,8 +8,10 @@
 
 namespace loadpath::report {
 
-/// Sized values first, then the given sizes: a row for each component.
+/// Sized values first, then the given sizes: a row for each component, in so many lines at most.
 Table sizes_table(const project::Project& project, const Summary& summary, std::size_t most);
+/// The lines of that table as it is set.
+std::size_t lines_of(const Table& sizes);
 /// The next smaller size of each value that was found, and the mode that it fails.
 std::vector<Block> next_size_notes(const Summary& summary, std::size_t most);
 

@@ -37,7 +37,9 @@ struct CellText {
   std::string operator()(const Symbol& s) const { return symbol(s.name); }
   std::string operator()(State s) const { return state(s); }
   std::string operator()(const Utilisation& u) const { return kept(utilisation_text(u.value)) + bar(u.value); }
-  std::string operator()(const Sized& s) const { return "<b class=\"sized\">" + escaped(s.text) + "*</b>"; }
+  std::string operator()(const Sized& s) const {
+    return "<b class=\"sized\">" + escaped(s.text) + "*</b>" + escaped(s.behind());
+  }
 };
 
 }  // namespace

@@ -15,7 +15,9 @@ struct CellText {
   std::string operator()(const Symbol& s) const { return symbol(s.name); }
   std::string operator()(State s) const { return state(s); }
   std::string operator()(const Utilisation& u) const { return latex_text(utilisation_text(u.value)); }
-  std::string operator()(const Sized& s) const { return "\\textbf{" + latex_text(s.text) + "}*"; }
+  std::string operator()(const Sized& s) const {
+    return "\\textbf{" + latex_text(s.text) + "}*" + latex_text(s.behind());
+  }
 };
 
 std::string_view colour_of(State state) {

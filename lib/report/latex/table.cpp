@@ -22,7 +22,7 @@ struct Plain {
   std::string operator()(const Symbol& s) const { return formula::symbol_plain(s.name); }
   std::string operator()(State s) const { return account::shown(s).text(); }
   std::string operator()(const Utilisation& u) const { return utilisation_text(u.value); }
-  std::string operator()(const Sized& s) const { return s.text + "*"; }
+  std::string operator()(const Sized& s) const { return s.text + "*" + s.behind(); }
 };
 
 /// The longest word between blanks; an underscore is a possible break too.

@@ -36,7 +36,7 @@ struct CellText {
   std::string operator()(const Symbol& s) const { return symbol(s.name); }
   std::string operator()(State s) const { return state(s); }
   std::string operator()(const Utilisation& u) const { return text(utilisation_text(u.value)); }
-  std::string operator()(const Sized& s) const { return "**" + text(s.text) + "**\\*"; }
+  std::string operator()(const Sized& s) const { return "**" + text(s.text) + "**\\*" + text(s.behind()); }
 };
 std::string cell(const Cell& cell) { return std::visit(CellText{}, cell); }
 

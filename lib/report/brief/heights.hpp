@@ -1,0 +1,13 @@
+// How high panels are in print: an estimate from their letters, by which pages are filled.
+#pragma once
+
+#include "lib/report/document.hpp"
+
+namespace loadpath::report {
+
+/// The height of paragraphs and tables under a heading, in a column of a width, mm.
+double height_of(const Panel& panel, double width);
+/// The height of the highest stack of a band, mm.
+double height_of(const Band& band);
+
+}  // namespace loadpath::report

@@ -2,6 +2,7 @@
 #include "lib/draw/canvas/rows.hpp"
 #include "lib/draw/diagrams.hpp"
 #include "lib/draw/scheme/parts.hpp"
+#include "lib/draw/shaft_parts.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/text/issue.hpp"
 
@@ -11,48 +12,7 @@
 namespace loadpath::draw {
 namespace {
 
-constexpr double shaft_left = 30.0, shaft_right = 450.0, least_length = 180.0;
-constexpr double diagrams_left = 62.0, diagrams_right = 466.0;  // room for the numbers of their scales
-constexpr double least_depth = 48.0, most_depth = 170.0;        // thickness of the thickest part
-constexpr double torque_reach = 16.0;                           // overhang of torque lines
-constexpr double torque_radius = 6.5;
-constexpr double support_depth = 22.0;  // depth of a bearing symbol with its ground
-
-std::string millimetres(double metres) { return format_number(1e3 * metres, 5); }
-std::string diameter_text(double metres) { return "Ø" + millimetres(metres); }
-
-/// "40 mm", of a taper "40 mm to 30 mm".
-std::string diameters(const figure::Shaft::Part& part) {
-  const std::string left = format_quantity(part.diameter, "mm", 5);
-  if (part.right_diameter() == part.diameter) return left;
-  return say("{1} to {2}", left, format_quantity(part.right_diameter(), "mm", 5)).text();
-}
-
-struct Cylinder {
-  const figure::Shaft::Part* part;
-  double left, right, radius, bore;  // view units
-  double right_radius = 0.0;         // right radius; differs for a taper
-  [[nodiscard]] bool tapers() const { return part->right_diameter() != part->diameter; }
-  [[nodiscard]] double radius_at(double x) const {
-    return tapers() ? radius + (right_radius - radius) * std::clamp((x - left) / (right - left), 0.0, 1.0) : radius;
-  }
-  [[nodiscard]] double largest() const { return std::max(radius, right_radius); }
-};
-
-bool acts(double force) { return drawable(force) && force > 1e-6; }
-
-struct TorqueSign {
-  const figure::Shaft::Torque* torque;
-  Text text;
-  double x, half_width;
-  std::size_t row;
-};
-
-struct BearingSign {
-  const figure::Shaft::Bearing* bearing;
-  Text text;
-  double x;
-};
+using namespace shaft;
 
 class ShaftPicture {
  public:
@@ -61,11 +21,13 @@ class ShaftPicture {
 
  private:
   void place_cylinders();
-  void place_torques(const figure::Shaft& shaft);
+  void place_torques(const figure::Shaft& shaft, Rows& rows);
+  void place_raised(Rows& rows);
   void place_bearings(const figure::Shaft& shaft);
   void draw_cylinders();
   void draw_bores();
   void draw_diameter(const Cylinder& c);
+  void draw_raised(const RaisedSign& sign);
   void draw_torque(const TorqueSign& sign);
   void draw_bearing(const BearingSign& sign);
   void draw_lengths();
@@ -74,6 +36,8 @@ class ShaftPicture {
   void draw_place(const figure::Shaft::Place& place);
   [[nodiscard]] double at(double x) const { return 0.5 * (left_ + right_) + scale_ * (x - 0.5 * length_); }
   [[nodiscard]] double radius_at(double x) const;
+  /// The base line of a row of labels above the shaft.
+  [[nodiscard]] double row_above(std::size_t row) const;
   /// The extent of the symbols below the thickest part.
   [[nodiscard]] double reach_below() const;
   [[nodiscard]] std::string description() const;
@@ -81,6 +45,7 @@ class ShaftPicture {
   const figure::Shaft& shaft_;
   std::vector<Cylinder> cylinders_;
   std::vector<TorqueSign> torques_;
+  std::vector<RaisedSign> raised_;
   std::vector<BearingSign> bearings_;
   double length_ = 0.0, thickest_ = 0.0;  // m
   double left_ = shaft_left, right_ = shaft_right, scale_ = 1.0, radial_scale_ = 1.0;
@@ -99,7 +64,11 @@ ShaftPicture::ShaftPicture(const figure::Shaft& shaft) : shaft_(shaft) {
   }
   if (cylinders_.empty()) return;
   place_cylinders();
-  place_torques(shaft);
+  Rows rows;
+  place_torques(shaft, rows);
+  place_raised(rows);
+  const double signs = torques_.empty() ? 10.0 : torque_reach + 2.0 * torque_radius + 2.0;
+  axis_ = rows.height() + signs + 2.0 + radius_;
   place_bearings(shaft);
 }
 
@@ -120,8 +89,7 @@ void ShaftPicture::place_cylinders() {
   }
 }
 
-void ShaftPicture::place_torques(const figure::Shaft& shaft) {
-  Rows rows;
+void ShaftPicture::place_torques(const figure::Shaft& shaft, Rows& rows) {
   for (const auto& torque : shaft.torques) {
     if (!drawable(torque.x) || !drawable(torque.value) || torque.value == 0.0) continue;
     std::string value = format_quantity(torque.value, "N*m", 4);
@@ -134,8 +102,28 @@ void ShaftPicture::place_torques(const figure::Shaft& shaft) {
     const double centre = std::clamp(x, half + 4.0, view_width - half - 4.0);
     torques_.push_back({&torque, text, x, half, rows.row_of(centre - half - 5.0, centre + half + 5.0)});
   }
-  const double above = torques_.empty() ? 12.0 : rows.height() + torque_reach + 2.0 * torque_radius + 2.0;
-  axis_ = above + radius_;
+}
+
+/// In rows above the torques, off their signs.
+void ShaftPicture::place_raised(Rows& rows) {
+  constexpr double off_sign = torque_radius + 3.0;
+  for (const Cylinder& c : cylinders_) {
+    if (lies_inside(c) || stands_inside(c)) continue;
+    Text text = diameter_label(c);
+    if (c.bore > 0.0) text.push_back({say(", bore {1}", diameter_text(c.part->bore)).text(), Run::Face::words});
+    const double half = 0.5 * width(text, text_size), middle = 0.5 * (c.left + c.right);
+    double x = middle;
+    for (const TorqueSign& sign : torques_) {
+      if (std::fabs(x - sign.x) < off_sign) x = sign.x + (x < sign.x ? -off_sign : off_sign);
+    }
+    const double centre = std::clamp(x, half + 4.0, view_width - half - 4.0);
+    raised_.push_back({&c, text, centre, rows.row_of(centre - half - 5.0, centre + half + 5.0)});
+  }
+}
+
+double ShaftPicture::row_above(std::size_t row) const {
+  const double signs = torques_.empty() ? 8.0 : torque_reach + 2.0 * torque_radius;
+  return axis_ - radius_ - signs - row_height * static_cast<double>(row);
 }
 
 void ShaftPicture::place_bearings(const figure::Shaft& shaft) {
@@ -190,15 +178,11 @@ void ShaftPicture::draw_bores() {
 
 void ShaftPicture::draw_diameter(const Cylinder& c) {
   constexpr double head = 7.0, gap = 5.0;
-  const std::string size = diameter_text(c.part->diameter);
-  const Text text = typeset(c.tapers() ? size + "…" + millimetres(c.part->right_diameter()) : size);
+  const bool lies = lies_inside(c);
+  if (!lies && !stands_inside(c)) return;
+  const Text text = diameter_label(c);
   const std::string bore = diameter_text(c.part->bore);
-  const double wide = width(text, text_size), room = c.right - c.left, middle = 0.5 * (c.left + c.right);
-  if (room < 24.0) {
-    canvas_.text("quiet", {middle + 4.0, axis_ - c.largest() - 4.0}, text, Anchor::start, true);
-    return;
-  }
-  const bool lies = room > wide + 3.0 * gap;
+  const double wide = width(text, text_size), middle = 0.5 * (c.left + c.right);
   const double x = lies ? middle - 0.5 * (wide + gap) : middle + 7.0;
   const double radius = c.radius_at(x);
   canvas_.line("thin", {x, axis_ - radius}, {x, axis_ + radius});
@@ -218,6 +202,14 @@ void ShaftPicture::draw_diameter(const Cylinder& c) {
   }
 }
 
+/// With a line to the surface of its part.
+void ShaftPicture::draw_raised(const RaisedSign& sign) {
+  const Cylinder& c = *sign.cylinder;
+  const double middle = 0.5 * (c.left + c.right), y = row_above(sign.row);
+  canvas_.polyline("thin", {{middle, axis_ - c.radius_at(middle)}, {sign.x, axis_ - radius_ - 4.0}, {sign.x, y + 4.0}});
+  canvas_.text("halo", {sign.x, y}, sign.text, Anchor::middle);
+}
+
 /// The couple as the two forces that turn the shaft: out of the page (dot) and into it (cross).
 void ShaftPicture::draw_torque(const TorqueSign& sign) {
   const double surface = radius_at(sign.x), level = radius_ + torque_reach;
@@ -235,8 +227,7 @@ void ShaftPicture::draw_torque(const TorqueSign& sign) {
     }
   }
   const double middle = std::clamp(sign.x, sign.half_width + 4.0, view_width - sign.half_width - 4.0);
-  const double y = axis_ - level - torque_radius - 6.0 - row_height * static_cast<double>(sign.row);
-  canvas_.text("halo f1", {middle, y}, sign.text, Anchor::middle);
+  canvas_.text("halo f1", {middle, row_above(sign.row)}, sign.text, Anchor::middle);
 }
 
 /// A triangle on hatched ground; above a line on which it slides, if axial displacement is free.
@@ -344,6 +335,7 @@ Picture ShaftPicture::drawn() {
   draw_cylinders();
   draw_bores();
   for (const Cylinder& c : cylinders_) draw_diameter(c);
+  for (const RaisedSign& sign : raised_) draw_raised(sign);
   for (const TorqueSign& sign : torques_) draw_torque(sign);
   for (const BearingSign& sign : bearings_) draw_bearing(sign);
   draw_lengths();

@@ -265,7 +265,8 @@ struct Shaft {
     double length = 0.0;  // m
     double diameter = 0.0;
     double bore = 0.0;
-    double right = 0.0;  // diameter at the right end, of a taper; 0: the same
+    double right = 0.0;     // diameter at the right end, of a taper; 0: the same
+    bool is_sized = false;  // found by a search: its diameter is marked
     [[nodiscard]] double right_diameter() const { return right > 0.0 ? right : diameter; }
   };
   struct Torque {

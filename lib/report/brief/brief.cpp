@@ -37,7 +37,8 @@ class Pages {
         summary_(summary),
         rows_(governing_modes(project, summary, most_modes)),
         main_(main_figures(project, summary)),
-        further_(further_figures(project, summary, main_)) {}
+        further_(further_figures(project, summary, main_)),
+        shafts_(other_shafts(project, summary, main_)) {}
 
   Brief all();
 
@@ -47,7 +48,7 @@ class Pages {
   Page checking();
   Band inputs_and_diagrams();
   bool takes(const Panel& panel);
-  [[nodiscard]] Page recomputing() const;
+  Page recomputing();
   void add_derivations(double height, Page& page) const;
   [[nodiscard]] Panel sizes(std::size_t most_lines) const;
   [[nodiscard]] Panel modes() const;
@@ -55,12 +56,14 @@ class Pages {
   [[nodiscard]] double figures_height() const;
   void add_main(double room, Page& page);
   void add_figure(const StepFigure& figure, bool whole, Panel& panel);
+  void name_shaft(const StepFigure& figure, Panel& panel) const;
+  void add_shafts(Page& page);
   [[nodiscard]] const project::Step* main_step() const { return main_.empty() ? nullptr : main_.back().step; }
 
   const Project& project_;
   const Summary& summary_;
   std::vector<Governing> rows_;
-  std::vector<StepFigure> main_, further_;
+  std::vector<StepFigure> main_, further_, shafts_;  // shafts_: those that are not yet on a page
   ShownFigures shown_;
   std::optional<Panel> assumptions_;  // where page 1 has no room for them
   double rest_ = 0.0;                 // height left on the page, mm
@@ -80,7 +83,8 @@ bool Pages::is_short() const {
 }
 
 void Pages::add_figure(const StepFigure& figure, bool whole, Panel& panel) {
-  panel.blocks.emplace_back(whole ? *figure.figure : in_brief(*figure.figure));
+  figure::Figure shown = marked(figure);
+  panel.blocks.emplace_back(whole ? std::move(shown) : in_brief(shown));
   if (whole || is_brief(*figure.figure)) shown_.insert(figure.figure);
 }
 
@@ -96,6 +100,34 @@ Panel Pages::modes() const {
       summary_.modes, [](const account::Mode& mode) { return is_told(mode) && mode.utilisation.has_value(); });
   const Message remark = say("{1} of {2} with a utilisation", std::to_string(rows_.size()), std::to_string(assessed));
   return {say("Governing failure modes"), remark, {governing_table(project_, rows_)}};
+}
+
+/// Where there are several shafts, the caption on page 1 says which it is, and why.
+void Pages::name_shaft(const StepFigure& figure, Panel& panel) const {
+  if (shafts_.empty() || !has_diagrams(*figure.figure)) return;
+  auto& shown = std::get<figure::Figure>(panel.blocks.back());
+  shown.caption = say("{1} with its loads and bearing reactions: of {2} shafts the one with the highest utilisation; "
+                      "the others follow",
+                      capitalised(component_name(*figure.step)), std::to_string(shafts_.size() + 1))
+                      .text();
+}
+
+/// The shafts that are not on page 1, two in a row, as far as the page has room.
+void Pages::add_shafts(Page& page) {
+  constexpr double of_row = 52.0, heading = 8.0;  // mm
+  while (!shafts_.empty() && rest_ >= of_row + heading) {
+    Band band;
+    for (const double share : {half, other_half}) {
+      if (shafts_.empty()) break;
+      const StepFigure figure = shafts_.front();
+      shafts_.erase(shafts_.begin());
+      Panel panel{say("{1}", capitalised(component_name(*figure.step))), {}, {}};
+      add_figure(figure, false, panel);
+      band.push_back({share, {std::move(panel)}});
+    }
+    rest_ -= of_row + heading;
+    page.bands.push_back(std::move(band));
+  }
 }
 
 /// What the figures of page 1 take, as the style sheet limits them.
@@ -114,6 +146,7 @@ void Pages::add_main(double room, Page& page) {
   for (const StepFigure& figure : main_) {
     Panel panel;
     add_figure(figure, false, panel);
+    name_shaft(figure, panel);
     figures.push_back({figures.empty() ? half : other_half, {std::move(panel)}});
   }
   Panel governing = modes();
@@ -205,6 +238,7 @@ Page Pages::checking() {
       if (takes(panel)) page.bands.push_back(across(std::move(panel)));
     }
   }
+  add_shafts(page);
   std::vector<Panel> results = result_panels(project_, summary_, main_step(), most_results);
   for (std::size_t i = 0; i < results.size(); i += 2) {
     const bool has_two = i + 1 < results.size();
@@ -241,9 +275,12 @@ void Pages::add_derivations(double height, Page& page) const {
         across({say("References"), say("named on this page; all sources: appendix"), {std::move(sources)}}));
 }
 
-Page Pages::recomputing() const {
+/// After the shafts for which page 2 had no room.
+Page Pages::recomputing() {
   Page page;
-  add_derivations(page_height, page);
+  rest_ = page_height;
+  add_shafts(page);
+  add_derivations(rest_, page);
   return page;
 }
 

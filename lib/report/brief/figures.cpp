@@ -50,6 +50,16 @@ StepFigure first_of(const std::vector<const Step*>& steps, const Meant& is_meant
   return {nullptr, nullptr};
 }
 
+/// Of the diameters of a shaft from left to right, which a search has found.
+std::vector<bool> found_diameters(const Step& step) {
+  std::vector<bool> found;
+  for (const account::Entry& entry : step.account().inputs) {
+    const bool is_part = entry.path == "d" || entry.path.starts_with("pieces") || entry.path.starts_with("segments");
+    if (is_part && (entry.path == "d" || entry.path.ends_with(".d"))) found.push_back(entry.origin.searched);
+  }
+  return found;
+}
+
 /// The views in the first row of a drawing.
 std::size_t first_row(const figure::Drawing& drawing) {
   double share = 0.0;
@@ -98,6 +108,28 @@ std::vector<StepFigure> further_figures(const Project& project, const Summary& s
   parts.insert(parts.end(), curves.begin(), curves.end());
   diagrams.insert(diagrams.end(), parts.begin(), parts.end());
   return diagrams;
+}
+
+std::vector<StepFigure> other_shafts(const Project& project, const Summary& summary,
+                                     const std::vector<StepFigure>& main) {
+  std::vector<StepFigure> all;
+  for (const project::Step* step : by_utilisation(project, summary)) {
+    for (const figure::Figure& figure : step->account().figures) {
+      const bool is_main = std::ranges::find(main, &figure, &StepFigure::figure) != main.end();
+      if (has_diagrams(figure) && !is_main) all.push_back({step, &figure});
+    }
+  }
+  return all;
+}
+
+figure::Figure marked(const StepFigure& of) {
+  figure::Figure figure = *of.figure;
+  auto* const shaft = std::get_if<figure::Shaft>(&figure.content);
+  if (shaft == nullptr) return figure;
+  const std::vector<bool> found = found_diameters(*of.step);
+  if (found.size() != shaft->parts.size()) return figure;  // its parts are none of a list
+  for (std::size_t i = 0; i < found.size(); ++i) shaft->parts[i].is_sized = found[i];
+  return figure;
 }
 
 figure::Figure in_brief(const figure::Figure& figure) {

@@ -20,6 +20,12 @@ std::vector<StepFigure> main_figures(const project::Project& project, const Summ
 std::vector<StepFigure> further_figures(const project::Project& project, const Summary& summary,
                                         const std::vector<StepFigure>& main);
 
+/// The drawn shafts that are not on page 1, by falling utilisation.
+std::vector<StepFigure> other_shafts(const project::Project& project, const Summary& summary,
+                                     const std::vector<StepFigure>& main);
+
+/// A figure with marks at the diameters that a search has found.
+figure::Figure marked(const StepFigure& figure);
 /// A figure as page 1 shows it: a shaft without its diagrams, of several views those in the first row.
 figure::Figure in_brief(const figure::Figure& figure);
 /// Whether page 1 shows all of it.

@@ -1,6 +1,7 @@
 #include "lib/report/answer.hpp"
 
 #include "lib/quantity/format.hpp"
+#include "lib/report/summary/summary.hpp"
 #include "lib/report/why.hpp"
 
 #include <algorithm>
@@ -219,7 +220,11 @@ std::string name_of(const Step& step) { return step.input().title.empty() ? step
 draw::Flow::Part part_of(const Step& step, const Modes& all) {
   const Modes modes = modes_of(step, all);
   const State state = modes.empty() ? State::open : overall(modes);
-  std::string below = short_sizes_text(step);
+  constexpr std::size_t most_sizes = 2;  // in the width of a box
+  std::string below;
+  const std::vector<std::string> sizes = short_sizes(step);
+  for (std::size_t i = 0; i < std::min(most_sizes, sizes.size()); ++i) below += (i == 0 ? "" : ", ") + sizes[i];
+  if (sizes.size() > most_sizes) below += ", …";
   if (below.empty()) below = step.input().calculator->title;
   return {name_of(step), std::move(below), modes.empty() ? "" : account::shown(state).text(), tone_of(state)};
 }

@@ -7,41 +7,59 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace loadpath::draw {
 namespace {
 
-constexpr double label_room = 162.0, box_right = view_width - 2.0, row = 19.0, least_height = 42.0, between = 14.0,
+constexpr double label_room = 190.0, box_right = view_width - 2.0, row = 19.0, least_height = 42.0, between = 14.0,
                  margin = 4.0, lane_width = 9.0, first_lane = 8.0, head = 7.0, pad = 10.0;
 
-bool fits(const std::string& words, double room) { return width(typeset(words), text_size) <= room; }
+/// Signs that are narrow, as letters of their width: blanks, dots and exponents of units.
+std::string measured(std::string words) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> narrow{
+      {{"\u00A0", "-"}, {"·", "."}, {"²", "-"}}};
+  for (const auto& [sign, letter] : narrow) {
+    for (std::size_t at = words.find(sign); at != std::string::npos; at = words.find(sign, at))
+      words.replace(at, sign.size(), letter);
+  }
+  return words;
+}
+
+bool fits(const std::string& words, double room) { return width(typeset(measured(words)), text_size) <= room; }
 
 void drop_last_letter(std::string& words) {
   while (!words.empty() && (static_cast<unsigned char>(words.back()) & 0xC0U) == 0x80U) words.pop_back();
   if (!words.empty()) words.pop_back();
 }
 
-/// The text, or the beginning of its first part if it is wider than the space: `behind` is kept in full.
-std::string shortened(std::string words, double room, const std::string& behind = "") {
-  if (fits(words + behind, room)) return words + behind;
-  const std::string rest = "…" + behind;
+/// The text, or its first words: a number is not cut. Of a single word its first letters.
+std::string shortened(std::string words, double room) {
+  if (fits(words, room)) return words;
+  const std::string rest = "…";
+  for (std::size_t end = words.rfind(' '); end != std::string::npos && end > 0; end = words.rfind(' ', end - 1)) {
+    const std::string first = words.substr(0, words[end - 1] == ',' ? end + 1 : end);
+    if (fits(first + rest, room)) return first + rest;
+  }
   while (!words.empty() && !fits(words + rest, room)) drop_last_letter(words);
   return words + rest;
 }
 
-/// The label of an arrow, never without the end of its number: load components are dropped first, then the beginning
-/// of its path, then letters of its name.
+/// The label of an arrow, never without its number: load components are dropped first, then the list of its element
+/// ("seats" of "seats.pinion.J"), then the element, then letters of its name.
 std::string shortened_label(std::string label, double room) {
   const std::string_view more = ", …";
   if (!fits(label, room) && label.ends_with(more)) label.resize(label.size() - more.size());
-  while (!fits(label, room)) {
-    const std::size_t dot = label.find('.');
-    if (dot == std::string::npos || dot > label.find('=')) break;
-    label.replace(0, dot + 1, "…");
-  }
   const std::string equals = "\u00A0=";
-  const std::size_t name = std::min(label.find(equals), label.size());
-  return shortened(label.substr(0, name), room, label.substr(name));
+  const std::size_t end = std::min(label.find(equals), label.size());
+  std::string name = label.substr(0, end), mark;
+  const std::string value = label.substr(end);
+  if (!fits(label, room) && std::count(name.begin(), name.end(), '.') > 1) name.erase(0, name.find('.') + 1);
+  if (const std::size_t dot = name.rfind('.'); dot != std::string::npos && !fits(name + value, room))
+    name.erase(0, dot + 1), mark = "…";
+  if (fits(mark + name + value, room)) return mark + name + value;
+  while (!name.empty() && !fits(name + "…" + value, room)) drop_last_letter(name);
+  return name + "…" + value;
 }
 
 struct Placed {
@@ -101,7 +119,7 @@ class FlowPicture {
   }
 
   [[nodiscard]] double lanes_end() const { return first_lane + lane_width * static_cast<double>(lanes_); }
-  [[nodiscard]] double box_left() const { return std::max(208.0, lanes_end() + label_room + pad); }
+  [[nodiscard]] double box_left() const { return std::max(214.0, lanes_end() + label_room + pad); }
   [[nodiscard]] double lane_at(std::size_t lane) const {
     return first_lane + lane_width * static_cast<double>(lanes_ - 1 - lane);
   }

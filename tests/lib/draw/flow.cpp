@@ -27,9 +27,11 @@ TEST_SUITE("draw flow") {
   TEST_CASE("a number is shown to its end, whatever else its label loses") {
     const std::string value = "\u00A0=\u00A0up\u00A0to\u00A0181.7\u00A0N·m";
     CHECK(shows("T" + value, "T" + value));
-    CHECK(shows("seats.pulley.T" + value, "…T" + value));
+    CHECK(shows("seats.pulley.T" + value, "pulley.T" + value));
+    CHECK(shows("seats.second_pulley_of_all.T" + value, "…T" + value));
     CHECK(shows("F" + value + ", …", "F" + value + ", …"));
-    CHECK(shows("sigma" + value + ", …", "sigma" + value));
+    CHECK(shows("sigma_vM" + value + ", …", "sigma_vM" + value));
+    CHECK(shows("seats.pinion.J\u00A0=\u00A00.0001557\u00A0kg·m²", "pinion.J\u00A0=\u00A00.0001557\u00A0kg·m²"));
     CHECK(drawn("a_name_that_is_far_too_long_for_it" + value).find("…" + value + "<") != std::string::npos);
   }
 }

@@ -1,6 +1,7 @@
-// The moments along the bar about both axes.
+// The bar as it buckles, and the moments along it about both axes.
 #include "calculators/column/bending/beam_column.hpp"
 #include "calculators/column/bending/parts.hpp"
+#include "calculators/column/buckling_parts.hpp"
 
 namespace loadpath::column {
 
@@ -25,8 +26,11 @@ std::vector<figure::Figure> BeamColumn::figures(const Input& in, const Result& r
   plot.y = {"M", "bending moment", "N*m"};
   if (r.M_yEd > 0.0 * N_m.one) plot.curves.push_back(course("about y", moments_about_y(in)));
   if (r.M_zEd > 0.0 * N_m.one) plot.curves.push_back(course("about z", moments_about_z(in)));
-  if (plot.curves.empty()) return {};
-  return {{"moments", "Bending moments along the bar (without partial factors)", std::move(plot)}};
+  std::vector<figure::Figure> figures;
+  if (auto bar = bar_figure(in, r)) figures.push_back(std::move(*bar));
+  if (!plot.curves.empty())
+    figures.push_back({"moments", "Bending moments along the bar (without partial factors)", std::move(plot)});
+  return figures;
 }
 
 }  // namespace loadpath::column

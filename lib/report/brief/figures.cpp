@@ -28,6 +28,9 @@ bool is_curve(const figure::Figure& figure) {
          std::holds_alternative<figure::Charted>(figure.content);
 }
 
+/// A column or leg that governs is drawn with its ends and its buckled shape, before any shaft.
+bool is_of_column(const Step& step) { return std::string_view(step.input().calculator->id).starts_with("column."); }
+
 /// The steps by falling utilisation of their components.
 std::vector<const Step*> by_utilisation(const Project& project, const Summary& summary) {
   std::vector<const Step*> steps;
@@ -80,8 +83,10 @@ std::vector<StepFigure> main_figures(const Project& project, const Summary& summ
   StepFigure mechanism = first_of(steps, moves);
   if (mechanism.figure == nullptr) mechanism = first_of(steps, is_mechanism);
   if (mechanism.figure != nullptr) main.push_back(mechanism);
-  StepFigure part = first_of(steps, is_shaft);
-  if (part.figure == nullptr) part = first_of(steps, is_part);
+  StepFigure part = first_of(steps, is_part);
+  const bool is_column = part.figure != nullptr && is_of_column(*part.step);
+  const StepFigure shaft = first_of(steps, is_shaft);
+  if (shaft.figure != nullptr && !is_column) part = shaft;
   if (part.figure != nullptr) main.push_back(part);
   if (main.empty()) {
     if (const StepFigure curve = first_of(steps, is_curve); curve.figure != nullptr) main.push_back(curve);

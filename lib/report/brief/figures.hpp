@@ -13,7 +13,8 @@ struct StepFigure {
   const figure::Figure* figure;
 };
 
-/// Page 1: the mechanism, if there is one, and the drawn part with the highest utilisation, a shaft before others.
+/// Page 1: the mechanism, if there is one, and the drawn part with the highest utilisation, a shaft before others
+/// unless a column governs.
 /// Without a drawing, the first curve of the part that governs.
 std::vector<StepFigure> main_figures(const project::Project& project, const Summary& summary);
 /// Page 2: the diagrams of the main part, then further drawings and curves by falling utilisation.

@@ -42,7 +42,8 @@ template <class Tracer>
 Stress allowed_stress(const char* symbol, Stress typed, Stress R_m, double share, const char* why, Tracer& trace) {
   if (is_set(typed)) return trace.value(symbol, typed, "given");
   if (!is_set(R_m)) return typed;
-  return trace.value(symbol, share * R_m, why);
+  const double c_R = trace.value("c_R", share, "allowable fraction of R_m for this type of loading, [RM-9]");
+  return NAMED_STEP(symbol, c_R * R_m, why);
 }
 
 /// Fatigue that the allowable stresses of a loading hold.

@@ -16,7 +16,7 @@ std::string kept(const std::string& quantity) {
 
 /// An expression may break behind the dots of its paths: "= intermediate.bearings.left.F_r" in a narrow column.
 std::string breakable(const std::string& text) {
-  if (!text.starts_with('=')) return escaped(text);
+  if (!text.starts_with('=')) return prose(text);
   const auto is_letter = [](char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; };
   std::string out;
   for (std::size_t begin = 0; begin < text.size();) {

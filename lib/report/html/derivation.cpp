@@ -59,7 +59,7 @@ std::string derivation(const Derivation& derivation) {
     const Sides sides = sides_of(step, result);
     out += "<div class=\"" + std::string(class_of(step)) + "\">" + cell_of("left", symbol(step.symbol)) +
            cell_of("formula", sides.formula) + cell_of("numbers", sides.numbers) + cell_of("result", result);
-    if (!step.why.empty()) out += "<p class=\"why\">" + escaped(step.why.text()) + "</p>";
+    if (!step.why.empty()) out += "<p class=\"why\">" + prose(step.why.text()) + "</p>";
     out += "</div>\n";
   }
   return out + "</div>\n";

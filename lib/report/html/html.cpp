@@ -73,7 +73,7 @@ class Writer {
            escaped(heading.text) + "</" + tag + ">\n";
   }
   std::string operator()(const Paragraph& paragraph) {
-    const std::string text = escaped(paragraph.text.text());
+    const std::string text = page::prose(paragraph.text.text());
     switch (paragraph.tone) {
       case Paragraph::Tone::plain:
         return "<p>" + text + "</p>\n";

@@ -13,6 +13,8 @@ namespace loadpath::report::page {
 std::string math(std::string_view fragment);
 
 std::string symbol(std::string_view path);
+/// Running text, escaped; symbols of quantities in it have subscripts: "K_A", not "left_seat" or "values.K_A".
+std::string prose(std::string_view text);
 std::string cell(const Cell& cell);
 
 /// A table of many columns has closer spacing and units in the head; if still too wide, it is divided.

@@ -44,7 +44,7 @@ std::string title_block(const Document& document) {
 
 std::string finding(const Finding& finding) {
   return "<p class=\"finding " + slug(finding.state) + "\"><b>" + escaped(account::word(finding.headline)) + "</b> " +
-         escaped(finding.text.text()) + "</p>\n";
+         prose(finding.text.text()) + "</p>\n";
 }
 
 }  // namespace loadpath::report::page

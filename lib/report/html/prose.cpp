@@ -1,0 +1,59 @@
+// Symbols of running text: "K_A" with a subscript.
+#include "lib/report/columns.hpp"
+#include "lib/report/html/html.hpp"
+#include "lib/text/markup.hpp"
+
+#include <algorithm>
+
+namespace loadpath::report::page {
+namespace {
+
+/// A letter, a digit, an underscore or a byte of a Greek letter.
+bool is_of_symbol(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  const bool is_latin = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  return is_latin || (c >= '0' && c <= '9') || c == '_' || byte == 0xCE || byte == 0xCF || (byte & 0xC0U) == 0x80U;
+}
+
+/// Whether it is the symbol of a quantity, "K_A" or "σ_adm": a name of the file, "left_seat", has a longer beginning.
+bool is_symbol(std::string_view word) {
+  constexpr double longest_base = 2.0;
+  const std::size_t bar = word.find('_');
+  if (bar == std::string_view::npos || bar == 0 || bar + 1 == word.size() || word.back() == '_') return false;
+  return (word.front() < '0' || word.front() > '9') && letters_of(word.substr(0, bar)) <= longest_base;
+}
+
+/// Whether the text has it as the user types it: in a path, or between quotes.
+bool is_typed(std::string_view text, std::size_t begin, std::size_t end) {
+  constexpr std::string_view before = ".\"'`/", behind = "\"'`[";
+  if (begin > 0 && before.find(text[begin - 1]) != std::string_view::npos) return true;
+  if (end == text.size()) return false;
+  const bool is_path = text[end] == '.' && end + 1 < text.size() && is_of_symbol(text[end + 1]);
+  return is_path || behind.find(text[end]) != std::string_view::npos;
+}
+
+std::string with_subscript(std::string_view word) {
+  const std::size_t bar = word.find('_');
+  std::string below(word.substr(bar + 1));
+  std::ranges::replace(below, '_', ',');
+  return escaped(word.substr(0, bar)) + "<sub>" + escaped(below) + "</sub>";
+}
+
+}  // namespace
+
+std::string prose(std::string_view text) {
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = begin;
+    while (end < text.size() && is_of_symbol(text[end])) ++end;
+    const std::string_view word = text.substr(begin, end - begin);
+    out += is_symbol(word) && !is_typed(text, begin, end) ? with_subscript(word) : escaped(word);
+    begin = end;
+    while (end < text.size() && !is_of_symbol(text[end])) ++end;
+    out += escaped(text.substr(begin, end - begin));
+    begin = end;
+  }
+  return out;
+}
+
+}  // namespace loadpath::report::page

@@ -52,11 +52,12 @@ std::optional<std::string_view> text_in(std::string_view name, std::string_view 
   return markup.find('<') == std::string_view::npos ? std::optional(markup) : std::nullopt;
 }
 
-/// Around a quantity the delimiters are a part of it.
+/// Around a quantity the delimiters are a part of it. Those that do not grow are set as numbers are: shorter than
+/// operators that are told not to stretch, and without space around them either.
 std::string delimited(std::string_view open, std::string_view inner, std::string_view close) {
   if (const auto text = text_in("mn", inner)) return element("mn", std::string(open).append(*text).append(close));
-  const std::string stretchy = is_tall(inner) ? "" : " stretchy=\"false\"";
-  return element("mrow", element("mo" + stretchy, open) + std::string(inner) + element("mo" + stretchy, close));
+  const char* const delimiter = is_tall(inner) ? "mo" : "mn";
+  return element("mrow", element(delimiter, open) + std::string(inner) + element(delimiter, close));
 }
 
 /// mm⁴ with a raised 4.

@@ -118,6 +118,11 @@ Text typeset(std::string_view words) {
   return text;
 }
 
+std::string with_minus(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number;
+}
+
 std::string plain(std::string_view words) {
   std::string text;
   for (const Run& run : typeset(words)) text += (run.face == Face::subscript ? "_" : "") + run.text;

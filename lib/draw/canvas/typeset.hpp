@@ -19,6 +19,8 @@ std::string symbol(std::string_view words);
 
 /// A text that is one name is a symbol (M, tau_adm); so are names with a subscript and marked ones in a longer text.
 Text typeset(std::string_view words);
+/// A number of an axis with the sign of mathematics in place of a hyphen.
+std::string with_minus(std::string number);
 
 /// The same on one line for screen readers: τ_adm.
 std::string plain(std::string_view words);

@@ -75,7 +75,7 @@ PlotFrame::PlotFrame(const figure::Scale& x, const figure::Scale& y, const Exten
 /// Takes the space to the right of the widest number on the left.
 void PlotFrame::take_page() {
   double widest = 0.0;
-  for (const double tick : up_.ticks) widest = std::max(widest, width(typeset(up_.text(tick)), text_size));
+  for (const double tick : up_.ticks) widest = std::max(widest, width(typeset(with_minus(up_.text(tick))), text_size));
   area_ = {widest + 10.0, plot_top, plot_right, plot_top + plot_depth};
 }
 
@@ -109,12 +109,12 @@ void PlotFrame::draw_grid(Canvas& canvas) const {
 
 void PlotFrame::draw_ticks(Canvas& canvas) const {
   for (const double t : up_.ticks) {
-    canvas.text("", at(across_.range.low, t) + Point{-6.0, 4.5}, typeset(up_.text(t)), Anchor::end);
+    canvas.text("", at(across_.range.low, t) + Point{-6.0, 4.5}, typeset(with_minus(up_.text(t))), Anchor::end);
   }
   double free_from = 0.0;
   for (const double t : across_.ticks) {
     if (!tells_across_) break;
-    const Text text = typeset(across_.text(t));
+    const Text text = typeset(with_minus(across_.text(t)));
     const double half = 0.5 * width(text, text_size);
     const double x = std::min(at(t, up_.range.low).x, view_width - 2.0 - half);
     if (x - half < free_from) continue;

@@ -109,7 +109,7 @@ void PlotPicture::label_mark(const figure::Mark& mark) {
 void PlotPicture::label_level(const Level& level) {
   constexpr double least = 2.0, beyond = 11.0;
   if (level.si == 0.0 || level.to.x - level.from.x < least) return;
-  const Text text = typeset(frame_.y().number(level.si));
+  const Text text = typeset(with_minus(frame_.y().number(level.si)));
   const double middle = 0.5 * (level.from.x + level.to.x), zero = frame_.zero_line();
   const double outward = level.from.y < zero ? -1.0 : 1.0;
   std::vector<Candidate> places;

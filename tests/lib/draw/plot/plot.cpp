@@ -35,7 +35,7 @@ TEST_SUITE("draw") {
     const std::string text = drawn(moment_plot());
     CHECK(says(text, "driving moment M in N·m"));
     CHECK(has(text, "crank angle <tspan class=\"s\">φ</tspan> in "));
-    for (const char* tick : {"0", "45", "90", "180", "360", "-20", "-100"}) CHECK_MESSAGE(says(text, tick), tick);
+    for (const char* tick : {"0", "45", "90", "180", "360", "−20", "−100"}) CHECK_MESSAGE(says(text, tick), tick);
   }
 
   TEST_CASE("a plain number has no unit, a large one a power of ten") {
@@ -100,7 +100,7 @@ TEST_SUITE("draw") {
 
   TEST_CASE("the value stands in each segment of a diagram along a shaft") {
     const std::string text = drawn(torque_plot());
-    for (const char* value : {"900", "-2700", "-1200"}) CHECK_MESSAGE(says(text, value), value);
+    for (const char* value : {"900", "−2700", "−1200"}) CHECK_MESSAGE(says(text, value), value);
     CHECK(count(text, "class=\"area ") == 1);
   }
 
@@ -112,7 +112,7 @@ TEST_SUITE("draw") {
       plot.curves[0].y.push_back(i <= 50 ? 123.0 : -77.0);
     }
     int values = 0;
-    for (const std::string& t : texts(drawn(plot))) values += t == "123" || t == "-77" ? 1 : 0;
+    for (const std::string& t : texts(drawn(plot))) values += t == "123" || t == "−77" ? 1 : 0;
     CHECK(values == 2);
   }
 

@@ -21,6 +21,21 @@ std::string body(const std::vector<Block>& blocks) {
 }  // namespace
 
 TEST_SUITE("report") {
+  TEST_CASE("symbols of running text have subscripts; what a user types has none") {
+    const auto paragraph = [](const char* text) { return body({Paragraph{say("{1}", text)}}); };
+    CHECK(contains(paragraph("K_A 1.25; in σ_adm"), "K<sub>A</sub> 1.25; in σ<sub>adm</sub>"));
+    for (const char* typed : {"left_seat", "values.K_A", "m_n.x", "stage_1", "x_"}) {
+      CAPTURE(typed);
+      CHECK(contains(paragraph(typed), typed));
+    }
+    CHECK(contains(paragraph("give K_A = \"z_1\" & more"), "K<sub>A</sub> = &quot;z_1&quot; &amp; more"));
+  }
+
+  TEST_CASE("an expression breaks behind the dots of its path") {
+    const std::string text = body({Table{{}, {say("a"), say("b")}, {{"x", "= left.bearings.F_r + 0.5"}}}});
+    CHECK(contains(text, "= left.<wbr>bearings.<wbr>F_r + 0.5"));
+  }
+
   TEST_CASE("a step is its symbol, formula, numbers, value and reason") {
     CHECK(body({Derivation{{torsion_step()}}}) ==
           "</header>\n"

@@ -24,6 +24,7 @@ using project::Project;
 constexpr double half = 84.0, other_half = 87.0, narrow = 66.0, wide = 105.0;  // shares of the grid, mm
 constexpr double page_height = 258.0;                                          // mm
 constexpr double first_page = 266.0, title_height = 47.0;                      // with the verdict below the title, mm
+constexpr double size_line = 3.5, sizes_heading = 17.0;                        // of the table of sizes, mm
 constexpr std::size_t most_modes = 10;
 
 /// A band of one column over the whole width.
@@ -140,7 +141,7 @@ double Pages::figures_height() const {
 /// Figures, sizes and governing modes, in a height. A figure about as high as wide would be set too small in the width
 /// of the page: the sizes stand at its side.
 void Pages::add_main(double room, Page& page) {
-  constexpr double of_line = 3.5, heading = 17.0, least_lines = 8.0;  // mm
+  constexpr double least_lines = 8.0;
   constexpr std::size_t most_next = 3;
   Band figures;
   for (const StepFigure& figure : main_) {
@@ -150,7 +151,7 @@ void Pages::add_main(double room, Page& page) {
     figures.push_back({figures.empty() ? half : other_half, {std::move(panel)}});
   }
   Panel governing = modes();
-  Panel chosen = sizes(static_cast<std::size_t>(std::max(least_lines, (room - heading) / of_line)));
+  Panel chosen = sizes(static_cast<std::size_t>(std::max(least_lines, (room - sizes_heading) / size_line)));
   const bool has_sizes = !chosen.blocks.empty(), has_modes = !rows_.empty();
   if (has_sizes) {
     const bool below_modes = has_modes && height_of(governing, wide) < height_of(chosen, narrow);
@@ -186,11 +187,14 @@ Band Pages::fields(double room) {
 }
 
 Page Pages::deciding() {
-  constexpr double least_sizes = 45.0;  // mm
+  constexpr double most_sizes = 88.0;  // mm
   Page page;
   page.is_numbered = false;
   const double room = first_page - title_height - figures_height();
-  Band undecided = fields(room - std::max(height_of(modes(), wide), least_sizes));
+  const bool is_beside = main_.size() == 1 && is_compact(*main_.front().figure);  // the sizes, beside the figure
+  const auto lines = static_cast<double>(fewest_lines(project_, summary_));
+  const double needed = is_beside ? 0.0 : std::min(most_sizes, sizes_heading + size_line * lines);
+  Band undecided = fields(room - std::max(height_of(modes(), wide), needed));
   add_main(room - height_of(undecided), page);
   page.bands.push_back(std::move(undecided));
   return page;

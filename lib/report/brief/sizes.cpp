@@ -71,15 +71,19 @@ Cell size_cell(const Project& project, const Component& component, bool with_giv
   return Sized{joined(component.sizes, "*, "), given};
 }
 
-/// A row for each component. Where there is little room, the figure of a shaft has its given diameters.
-std::vector<std::vector<Cell>> rows_of(const Project& project, const Summary& summary, bool is_close) {
+/// What is given with a size that was found: all, less where a figure has it, or nothing.
+enum class Given { all, not_drawn, none };
+
+/// A row for each component.
+std::vector<std::vector<Cell>> rows_of(const Project& project, const Summary& summary, Given given) {
   std::vector<Component> components = summary.components;
   std::stable_partition(components.begin(), components.end(),
                         [](const Component& component) { return component.is_sized; });
   std::vector<std::vector<Cell>> rows;
   for (const Component& component : components) {
     if (component.sizes.empty() || !has_size(project, component)) continue;
-    Cell size = size_cell(project, component, !is_close || !is_drawn(project, component));
+    const bool with_given = given == Given::all || (given == Given::not_drawn && !is_drawn(project, component));
+    Cell size = size_cell(project, component, with_given);
     rows.push_back({component.name, std::move(size), material_of(project, component.name)});
   }
   return rows;
@@ -114,10 +118,16 @@ std::size_t lines_of(const Table& sizes) {
   return lines;
 }
 
+std::size_t fewest_lines(const Project& project, const Summary& summary) {
+  return lines_of(Table{{}, {}, rows_of(project, summary, Given::none)});
+}
+
 Table sizes_table(const Project& project, const Summary& summary, std::size_t most) {
   Table table{{}, {say("Component"), say("Size"), say("Material")}, {}};
-  table.rows = rows_of(project, summary, false);
-  if (lines_of(table) > most) table.rows = rows_of(project, summary, true);
+  for (const Given given : {Given::all, Given::not_drawn, Given::none}) {
+    table.rows = rows_of(project, summary, given);
+    if (lines_of(table) <= most) break;
+  }
   const std::size_t left = drop_rows(table, most);
   const bool no_material = std::ranges::all_of(table.rows, [](const auto& row) {
     const auto* const text = std::get_if<std::string>(&row.back());

@@ -12,6 +12,8 @@ namespace loadpath::report {
 Table sizes_table(const project::Project& project, const Summary& summary, std::size_t most);
 /// The lines of that table as it is set.
 std::size_t lines_of(const Table& sizes);
+/// The fewest lines in which every component has its row.
+std::size_t fewest_lines(const project::Project& project, const Summary& summary);
 /// The next smaller size of each value that was found, and the mode that it fails.
 std::vector<Block> next_size_notes(const Summary& summary, std::size_t most);
 

@@ -1,5 +1,5 @@
-// Permissible contact stress of [ISO6336-2], edition 2006, method B: lubricant film, work hardening, life; as restated in
-// [IACS-M56].
+// Permissible contact stress of [ISO6336-2], edition 2006, method B: lubricant film, work hardening, life; as restated
+// in [IACS-M56].
 #pragma once
 
 #include "calculators/gear/rating/wheels.hpp"

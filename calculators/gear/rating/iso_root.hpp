@@ -1,5 +1,5 @@
-// Form, rim and permissible root stress of [ISO6336-3], edition 2006, method B, as restated in [IACS-M56]; the fillet is
-// that of [DIN3990-3] too.
+// Form, rim and permissible root stress of [ISO6336-3], edition 2006, method B, as restated in [IACS-M56]; the fillet
+// is that of [DIN3990-3] too.
 #pragma once
 
 #include "calculators/gear/rating/iso_flank.hpp"

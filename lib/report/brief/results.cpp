@@ -236,6 +236,12 @@ std::vector<Panel> load_panels(const project::Step& step) {
   static const std::set<std::string> fields{"x",   "T",   "F_x", "F_y", "F_z",  "angle", "x_w",
                                             "R_x", "R_y", "F_r", "F_a", "F_r0", "F_a0",  "mass"};
   std::vector<Panel> panels;
+  // The figure shows one position of a cycle, the tables the largest of all.
+  const auto part_over = [&](const std::vector<Entry>& entries, std::string_view list) {
+    const bool varies =
+        std::ranges::any_of(entries, [&](const Entry& e) { return list_of(e.path) == list && e.value.is_series(); });
+    return varies ? say("{1}, the largest of the cycle", component_name(step)) : say("{1}", component_name(step));
+  };
   const auto add = [&](const std::vector<Entry>& entries, std::string_view list, Message title) {
     for (const Table& all : list_tables(peaks_of(entries))) {
       if (all.caption.text() != list) continue;
@@ -243,12 +249,11 @@ std::vector<Panel> load_panels(const project::Step& step) {
       table.caption = {};
       table.head.front() = say("Name");
       for (auto& row : table.rows) row.front() = spoken(std::get<std::string>(row.front()));
-      if (table.head.size() > 2)
-        panels.push_back({std::move(title), say("{1}", component_name(step)), {std::move(table)}});
+      if (table.head.size() > 2) panels.push_back({std::move(title), part_over(entries, list), {std::move(table)}});
       return;
     }
   };
-  add(step.account().inputs, "seats", say("Loads of mounted components"));
+  add(step.account().inputs, "seats", say("Loads of mounted components, as given"));
   add(step.account().results, "bearings", say("Bearing reactions"));
   return panels;
 }

@@ -113,16 +113,6 @@ std::string listed(const std::vector<std::string>& words) {
 
 std::string sizes_text(const Step& step) { return listed(size_words(step)); }
 
-/// Shortened for a box of a drawing.
-std::string short_sizes_text(const Step& step) {
-  constexpr std::size_t most_sizes = 3;
-  std::vector<std::string> words = size_words(step);
-  if (words.size() <= most_sizes) return sizes_text(step);
-  const std::string left = std::to_string(words.size() - most_sizes);
-  words.resize(most_sizes);
-  return say("{1} and {2} more", listed(words), left).text();
-}
-
 /// The reasons for these: the remark of the search, "given" if nothing was searched for.
 std::string reasons_text(const Step& step) {
   std::string all;

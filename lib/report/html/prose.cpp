@@ -16,7 +16,7 @@ bool is_of_symbol(char c) {
 }
 
 /// Whether it is the symbol of a quantity, "K_A" or "σ_adm": a name of the file, "left_seat", has a longer beginning.
-bool is_symbol(std::string_view word) {
+bool is_indexed(std::string_view word) {
   constexpr double longest_base = 2.0;
   const std::size_t bar = word.find('_');
   if (bar == std::string_view::npos || bar == 0 || bar + 1 == word.size() || word.back() == '_') return false;
@@ -47,7 +47,7 @@ std::string prose(std::string_view text) {
     std::size_t end = begin;
     while (end < text.size() && is_of_symbol(text[end])) ++end;
     const std::string_view word = text.substr(begin, end - begin);
-    out += is_symbol(word) && !is_typed(text, begin, end) ? with_subscript(word) : escaped(word);
+    out += is_indexed(word) && !is_typed(text, begin, end) ? with_subscript(word) : escaped(word);
     begin = end;
     while (end < text.size() && !is_of_symbol(text[end])) ++end;
     out += escaped(text.substr(begin, end - begin));

@@ -2,6 +2,7 @@
 
 #include "lib/report/appendix.hpp"
 #include "lib/report/brief/names.hpp"
+#include "lib/report/columns.hpp"
 #include "lib/report/summary/numbers.hpp"
 #include "lib/report/why.hpp"
 #include "lib/report/worked.hpp"
@@ -137,6 +138,31 @@ void drop_unnamed(Table& table) {
   std::erase_if(table.rows, is_numbered);
 }
 
+/// The fields that govern, and where sections lie and what they carry.
+std::set<std::string> indispensable_fields(const Step& step, const account::Modes& modes) {
+  std::set<std::string> fields{"x", "d", "M", "T", "N"};
+  for (const Mode& mode : modes) {
+    if (mode.step == step.name() && is_told(mode)) fields.insert(mode.governs.substr(mode.governs.rfind('.') + 1));
+  }
+  return fields;
+}
+
+/// Leaves out the last of the other columns until the rows fit into a line: the rest would be a table of its own.
+void fit_into_line(Table& table, const std::set<std::string>& kept) {
+  constexpr double line = 126.0;  // letters
+  const auto letters = [&] {
+    double sum = -between_columns;
+    for (std::size_t i = 0; i < table.head.size(); ++i) sum += between_columns + column_of(table, i, i > 0).letters;
+    return sum;
+  };
+  for (std::size_t i = table.head.size(); i-- > 1 && letters() > line;) {
+    if (kept.contains(table.head[i].text())) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    table.head.erase(table.head.begin() + at);
+    for (auto& row : table.rows) row.erase(row.begin() + at);
+  }
+}
+
 /// The tables of the lists that govern, by falling utilisation; lists of the same elements are one table.
 std::vector<Table> joined_lists(const Step& step, const account::Modes& modes) {
   constexpr std::size_t least_columns = 5;
@@ -227,6 +253,7 @@ std::vector<Panel> list_panels(const project::Step& step, const account::Modes& 
     table.caption = {};
     table.head.front() = say("Name");
     for (auto& row : table.rows) row.front() = spoken(std::get<std::string>(row.front()));
+    fit_into_line(table, indispensable_fields(step, modes));
     panels.push_back({std::move(title), say("{1}", component_name(step)), {std::move(table)}});
   }
   return panels;

@@ -21,8 +21,8 @@ class ShaftPicture {
 
  private:
   void place_cylinders();
-  void place_torques(const figure::Shaft& shaft, Rows& rows);
-  void place_raised(Rows& rows);
+  void place_torques(const figure::Shaft& shaft);
+  void place_labels_above(Rows& rows);
   void place_bearings(const figure::Shaft& shaft);
   void draw_cylinders();
   void draw_bores();
@@ -65,8 +65,8 @@ ShaftPicture::ShaftPicture(const figure::Shaft& shaft) : shaft_(shaft) {
   if (cylinders_.empty()) return;
   place_cylinders();
   Rows rows;
-  place_torques(shaft, rows);
-  place_raised(rows);
+  place_torques(shaft);
+  place_labels_above(rows);
   const double signs = torques_.empty() ? 10.0 : torque_reach + 2.0 * torque_radius + 2.0;
   axis_ = rows.height() + signs + 2.0 + radius_;
   place_bearings(shaft);
@@ -89,7 +89,7 @@ void ShaftPicture::place_cylinders() {
   }
 }
 
-void ShaftPicture::place_torques(const figure::Shaft& shaft, Rows& rows) {
+void ShaftPicture::place_torques(const figure::Shaft& shaft) {
   for (const auto& torque : shaft.torques) {
     if (!drawable(torque.x) || !drawable(torque.value) || torque.value == 0.0) continue;
     std::string value = format_quantity(torque.value, "N*m", 4);
@@ -99,13 +99,12 @@ void ShaftPicture::place_torques(const figure::Shaft& shaft, Rows& rows) {
     const Text text = typeset(words);
     const double half = 0.5 * width(text, text_size);
     const double x = at(std::clamp(torque.x, 0.0, length_));
-    const double centre = std::clamp(x, half + 4.0, view_width - half - 4.0);
-    torques_.push_back({&torque, text, x, half, rows.row_of(centre - half - 5.0, centre + half + 5.0)});
+    torques_.push_back({&torque, text, x, half, 0});
   }
 }
 
-/// In rows above the torques, off their signs.
-void ShaftPicture::place_raised(Rows& rows) {
+/// In the rows next to the shaft, off the signs of torques, whose labels come above: no leader crosses them.
+void ShaftPicture::place_labels_above(Rows& rows) {
   constexpr double off_sign = torque_radius + 3.0;
   for (const Cylinder& c : cylinders_) {
     if (lies_inside(c) || stands_inside(c)) continue;
@@ -118,6 +117,10 @@ void ShaftPicture::place_raised(Rows& rows) {
     }
     const double centre = std::clamp(x, half + 4.0, view_width - half - 4.0);
     raised_.push_back({&c, text, centre, rows.row_of(centre - half - 5.0, centre + half + 5.0)});
+  }
+  for (TorqueSign& sign : torques_) {
+    const double centre = std::clamp(sign.x, sign.half_width + 4.0, view_width - sign.half_width - 4.0);
+    sign.row = rows.row_of(centre - sign.half_width - 5.0, centre + sign.half_width + 5.0);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "lib/text/issue.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -20,7 +21,7 @@ inline constexpr double torque_reach = 16.0;                           // overha
 inline constexpr double torque_radius = 6.5;
 inline constexpr double support_depth = 22.0;  // depth of a bearing symbol with its ground
 
-inline std::string millimetres(double metres) { return format_number(1e3 * metres, 5); }
+inline std::string millimetres(double metres) { return format_number(std::round(1e5 * metres) / 100.0, 6); }
 inline std::string diameter_text(double metres) { return "Ø" + millimetres(metres); }
 
 /// "40 mm", of a taper "40 mm to 30 mm".

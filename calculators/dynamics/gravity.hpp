@@ -41,14 +41,11 @@ Acceleration gravity_of(const Input& in, Tracer& trace) {
   if (is_set(in.g)) return in.g;
   if (!is_set(in.latitude)) return trace.value("g", usual_gravity, "weight per mass, usual value, [B32]");
   STEP(s_phi, pow<2>(sin(in.latitude)), "square of the sine of the latitude");
-  constexpr const char* somigliana = "formula of Somigliana at sea level, [WGS84]";
-  if (!is_set(in.altitude)) {
-    return NAMED_STEP("g",
-                      9.7803253359 * m_per_s2 * (1.0 + 0.00193185265241 * s_phi) / sqrt(1.0 - 0.00669437999013 * s_phi),
-                      somigliana);
-  }
-  STEP(g_0, 9.7803253359 * m_per_s2 * (1.0 + 0.00193185265241 * s_phi) / sqrt(1.0 - 0.00669437999013 * s_phi),
-       somigliana);
+  const char* const symbol = is_set(in.altitude) ? "g_0" : "g";
+  const Acceleration g_0 = NAMED_STEP(
+      symbol, 9.7803253359 * m_per_s2 * (1.0 + 0.00193185265241 * s_phi) / sqrt(1.0 - 0.00669437999013 * s_phi),
+      "formula of Somigliana at sea level, [WGS84]");
+  if (!is_set(in.altitude)) return g_0;
   const Length a_E = trace.value("a_E", 6378137.0 * m.one, "radius of the equator, [WGS84]");
   const double f_E = trace.value("f_E", 1.0 / 298.257223563, "flattening, [WGS84]");
   const double m_E = trace.value("m_E", 0.00344978650684, "centrifugal force over gravity at the equator, [WGS84]");

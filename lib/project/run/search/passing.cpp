@@ -46,7 +46,8 @@ void Passing::excuse_sizeless() {
 bool Passing::passes() {
   evaluation_.settle_sizes();
   if (!keeps_rules()) return false;
-  if (failed_at_ < evaluation_.positions() && evaluation_.evaluate_at(failed_at_) && !holds_here()) return false;
+  const bool is_first = failed_at_ == 0 || failed_at_ >= evaluation_.positions();
+  if (!is_first && evaluation_.evaluate_at(failed_at_) && !holds_here()) return false;
   std::vector<std::pair<const FieldInfo*, Value>> checks;
   for (const FieldInfo& f : evaluation_.calculator().result->fields) {
     if (f.role == Role::check && counts({&f})) checks.emplace_back(&f, Value{{f.dimension, evaluation_.axis()}, {}});

@@ -55,6 +55,7 @@ class Pages {
   [[nodiscard]] Panel modes() const;
   [[nodiscard]] Band fields(double room);
   [[nodiscard]] double figures_height() const;
+  [[nodiscard]] bool is_figure_compact() const;
   void add_main(double room, Page& page);
   void add_figure(const StepFigure& figure, bool whole, Panel& panel);
   void name_shaft(const StepFigure& figure, Panel& panel) const;
@@ -138,8 +139,11 @@ double Pages::figures_height() const {
   return main_.size() > 1 ? of_several : of_one;
 }
 
-/// Figures, sizes and governing modes, in a height. A figure about as high as wide would be set too small in the width
-/// of the page: the sizes stand at its side.
+/// Whether page 1 has a single figure, about as high as wide. It would be too small in the width of the page: the table
+/// of sizes is set at its side.
+bool Pages::is_figure_compact() const { return main_.size() == 1 && is_compact(*main_.front().figure); }
+
+/// Figures, sizes and governing modes, in a height.
 void Pages::add_main(double room, Page& page) {
   constexpr double least_lines = 8.0;
   constexpr std::size_t most_next = 3;
@@ -158,7 +162,7 @@ void Pages::add_main(double room, Page& page) {
     for (Block& note : next_size_notes(summary_, most_next))
       (below_modes ? governing : chosen).blocks.push_back(std::move(note));
   }
-  if (has_sizes && main_.size() == 1 && is_compact(*main_.front().figure)) {
+  if (has_sizes && is_figure_compact()) {
     figures.push_back({other_half, {std::move(chosen)}});
     page.bands.push_back(std::move(figures));
     if (has_modes) page.bands.push_back(across(std::move(governing)));
@@ -171,8 +175,7 @@ void Pages::add_main(double room, Page& page) {
   if (!band.empty()) page.bands.push_back(std::move(band));
 }
 
-/// What is not decided, in a height. The assumptions stand in the column that has more room for them; where it has too
-/// little, on page 2.
+/// What is not decided, in a height. The assumptions are in the column with more room; if it has too little, on page 2.
 Band Pages::fields(double room) {
   Band all{{half, {outside_scope(summary_), not_assessed(summary_)}},
            {other_half, {accepted_by_user(summary_), not_considered(summary_)}}};
@@ -191,9 +194,8 @@ Page Pages::deciding() {
   Page page;
   page.is_numbered = false;
   const double room = first_page - title_height - figures_height();
-  const bool is_beside = main_.size() == 1 && is_compact(*main_.front().figure);  // the sizes, beside the figure
   const auto lines = static_cast<double>(fewest_lines(project_, summary_));
-  const double needed = is_beside ? 0.0 : std::min(most_sizes, sizes_heading + size_line * lines);
+  const double needed = is_figure_compact() ? 0.0 : std::min(most_sizes, sizes_heading + size_line * lines);
   Band undecided = fields(room - std::max(height_of(modes(), wide), needed));
   add_main(room - height_of(undecided), page);
   page.bands.push_back(std::move(undecided));

@@ -188,7 +188,7 @@ FieldFault AlongPath::gap(const Input& in) {
             say("shorten S, or change the path: its derivatives by q must not all be zero")};
   if (const double cusp = cusp_before(in, q); std::isfinite(cusp))
     return {"x", say("the path turns back at q = {1}", format_number(cusp, 4)),
-            say("start behind it by q_0, or shorten S")};
+            say("start after it by q_0, or shorten S")};
   if (curve_at(in, q).rate > 0.0) return {};
   return {"x", say("the path has no tangent at S(t): all derivatives by q are zero"), say("choose another parameter")};
 }

@@ -7,8 +7,9 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
+#include <limits>
 
 namespace loadpath::dynamics {
 
@@ -78,7 +79,7 @@ class Integrated {
     for (double& work : A) work = motion::without_rounding(work, total_.magnitude);
     return A;
   }
-  /// Relative to the magnitudes; none of both is no error.
+  /// Relative to the integral of the magnitude of the power; 0 if both are 0.
   [[nodiscard]] double delta() const {
     const double error = sum_of(error_);
     return error == 0.0 ? 0.0 : error / total_.magnitude;
@@ -126,7 +127,7 @@ FieldFault missing_force(const PathWork::Input& in) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (std::isfinite(F[i])) continue;
       return {force_keys[i], say("the force has no value at t = {1}", format_quantity(t, "s", 4)),
-              say("it divides by zero there, or takes a root of what has none: end the path before")};
+              say("it divides by zero there, or takes the root of a negative value: end the path before")};
     }
   }
   return {};

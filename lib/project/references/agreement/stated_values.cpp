@@ -123,7 +123,7 @@ class StatedCheck {
     return material_of(step_).empty() || field("R_e") == nullptr ? "" : "R_e";
   }
 
-  /// A temperature of the part above that to which strengths at room temperature hold.
+  /// A temperature of the part above the limit of strengths at room temperature.
   void compare_temperature(const Stated& stated) {
     constexpr double most = 373.15;  // 100 degC: of steels but fine-grained ones in [FKM], from memory
     constexpr std::array<std::string_view, 10> states{"service", "operating", "operation", "work",  "working",
@@ -134,7 +134,7 @@ class StatedCheck {
     const std::string key = heated_input();
     if (key.empty() || (key == "T" && own(key) >= stated.si)) return;
     add(key,
-        say("values.{1} = {2} acts on no step, and strengths at room temperature hold up to {3}: give the strength "
+        say("values.{1} = {2} acts on no step, and strengths at room temperature apply up to {3}: give the strength "
             "at this temperature or T, or because.{4} = \"...\"",
             stated.name, format_quantity(stated.si, "degC", 4), format_quantity(most, "degC", 4), key));
   }

@@ -37,8 +37,8 @@ struct FrictionWheels {
   static constexpr auto details = "i = {i}, safety against slip S_R = {S_R}, line load q = {q}";
   static constexpr auto synonyms =
       "friction wheel, friction wheels, friction drive, friction gearing, traction drive, roller drive, grooved "
-      "friction "
-      "wheel, bevel friction wheel, slip, creep, contact pressure, Reibrad, Reibräder, Reibradgetriebe, Keilräder, "
+      "friction wheel, bevel friction wheel, slip, creep, contact pressure, Reibrad, Reibräder, Reibradgetriebe, "
+      "Keilräder, "
       "Anpresskraft, Rutschsicherheit, фрикционная передача, фрикционные катки, сила прижатия, коэффициент сцепления";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]

@@ -53,7 +53,7 @@ std::optional<std::string_view> text_in(std::string_view name, std::string_view 
 }
 
 /// Around a quantity the delimiters are a part of it. Those that do not grow are set as numbers are: shorter than
-/// operators that are told not to stretch, and without space around them either.
+/// operators with stretchy = false, and without the space around operators.
 std::string delimited(std::string_view open, std::string_view inner, std::string_view close) {
   if (const auto text = text_in("mn", inner)) return element("mn", std::string(open).append(*text).append(close));
   const char* const delimiter = is_tall(inner) ? "mo" : "mn";

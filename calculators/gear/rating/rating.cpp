@@ -115,10 +115,10 @@ bool Rating::is_stiffened(const Input& in) {
 bool Rating::has_rims(const Input& in) {
   if (!is_set(in.s_R1) && !is_set(in.s_R2)) return true;
   const PairResult g = geometry_of(in);
-  const auto stands = [](Length s_R, Length d_a, Length d_f) {
+  const auto is_rim = [](Length s_R, Length d_a, Length d_f) {
     return !is_set(s_R) || (s_R > (d_a - d_f) / 4.0 && s_R < d_f / 2.0);
   };
-  return stands(in.s_R1, g.d_a1, g.d_f1) && stands(in.s_R2, g.d_a2, g.d_f2);
+  return is_rim(in.s_R1, g.d_a1, g.d_f1) && is_rim(in.s_R2, g.d_a2, g.d_f2);
 }
 
 double Rating::least_deviation(const Input& in) { return in_si(helix_tolerance(in, geometry_of(in))); }

@@ -19,7 +19,7 @@ std::string_view id_of(const Step& step) {
   return step.input().calculator == nullptr ? std::string_view() : std::string_view(step.input().calculator->id);
 }
 
-/// The radius with which an end meets its shell; empty if the step is no such end.
+/// The key of the radius at the shell, of a cone or an ellipsoid; empty for other steps.
 const char* edge_of(const Step& step) {
   if (id_of(step) == "vessel.cone") return "R";
   return id_of(step) == "vessel.ellipsoid" ? "a" : "";
@@ -59,7 +59,7 @@ double test_pressure(const Step& step, const Project& project) {
   return own_value(step, project, "p_t") + (std::isnan(h_t) ? 0.0 : g * water * h_t);
 }
 
-/// The water of the test stands over the ends of a shell as over the shell.
+/// An end with less water at the test than its shell.
 void compare_water(const Step& end, const Project& project, std::vector<ReducedLoad>& found) {
   const auto& records = end.input().reading.records;
   const auto record = std::ranges::find(records, "shell", &Taken::path);

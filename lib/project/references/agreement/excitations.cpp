@@ -19,7 +19,7 @@ bool is_of_teeth(const std::string& name) {
          name.find("mesh") != std::string::npos;
 }
 
-/// The teeth of the gear that a load of a shaft comes from: "gears.z_2" of "=gears.gear_2"; NaN if it is no gear.
+/// The teeth of the gear that a load of a shaft comes from: "gears.z_2" of "=gears.gear_2"; NaN without a gear.
 double teeth_of(const Taken& record, const Project& project) {
   if (!record.path.ends_with(".load")) return std::nan("");
   const auto [pair, gear] = split_step(record.source);
@@ -53,7 +53,7 @@ std::vector<ReducedLoad> excitations_of(const Step& step, const Project& project
     orders.push_back(h);
     if (!std::isnan(h) && name && is_of_teeth(word_of(name))) of_teeth.emplace_back(path, h);
   });
-  // Harmonics of a mesh come with the mesh itself.
+  // A harmonic of a mesh counts only if the mesh itself is given.
   const auto is_given = [&](double z) {
     return std::ranges::any_of(orders, [&](double h) { return std::abs(h - z) <= 1e-6; });
   };

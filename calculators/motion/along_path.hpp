@@ -32,8 +32,7 @@ struct AlongPath {
   static constexpr auto headline = "v = {v}, a = {a}";
   static constexpr auto synonyms =
       "natural coordinates, intrinsic coordinates, path coordinates, arc length, law of motion along a path, normal "
-      "and "
-      "tangential acceleration, natürliche Koordinaten, Bahnkoordinate, Bogenlänge, естественный способ задания "
+      "and tangential acceleration, natürliche Koordinaten, Bahnkoordinate, Bogenlänge, естественный способ задания "
       "движения, закон движения по траектории, естественные координаты";
   static constexpr auto example = R"toml([project]
 title = "A car on a parabolic road"

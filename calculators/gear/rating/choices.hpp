@@ -87,7 +87,7 @@ constexpr auto choices_of(RatingStandard) {
 constexpr auto choices_of(Stiffening) {
   using S = Stiffening;
   return std::array{
-      ChoiceName<S>{S::none, "none", "the shaft alone: the pinion slides on it, or is keyed or shrunk on"},
+      ChoiceName<S>{S::none, "none", "no stiffening: the pinion slides on the shaft, or is keyed or shrunk on"},
       ChoiceName<S>{S::pinion, "pinion", "the body of the pinion stiffens the shaft: d_1/d_sh of 1.15 or more"}};
 }
 

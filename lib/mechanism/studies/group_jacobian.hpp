@@ -1,4 +1,4 @@
-// The determinant of the closing equations of each group, text D's Jacobian J: every reaction of the group is a
+// The determinant of the closing equations of each group, the Jacobian of [D3]: every reaction of the group is a
 // quotient with J below it, so where J vanishes the group is at a singular position.
 #pragma once
 

@@ -92,8 +92,7 @@ void ShaftPicture::place_cylinders() {
 void ShaftPicture::place_torques(const figure::Shaft& shaft) {
   for (const auto& torque : shaft.torques) {
     if (!drawable(torque.x) || !drawable(torque.value) || torque.value == 0.0) continue;
-    std::string value = format_quantity(torque.value, "N*m", 4);
-    if (value.starts_with('-')) value.replace(0, 1, "\u2212");
+    const std::string value = with_minus(format_quantity(torque.value, "N*m", 4));
     std::string words = torque.label.empty() ? value : say("{1} = {2}", symbol(torque.label), value).text();
     if (acts(torque.force)) words = say("{1}, {2}", words, format_quantity(torque.force, "N", 4)).text();
     const Text text = typeset(words);

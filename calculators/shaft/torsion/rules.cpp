@@ -1,4 +1,5 @@
 // Rules of shaft.torsion beyond the bounds of its fields.
+#include "calculators/shaft/section.hpp"
 #include "calculators/shaft/torsion/parts.hpp"
 #include "calculators/shaft/torsion/torsion.hpp"
 #include "lib/quantity/format.hpp"
@@ -93,7 +94,7 @@ struct Wall {
 };
 Wall wall_of(const Torsion::Input& in, const Torsion::Segment& s) {
   const Cylinder c = cylinder_of(in, s);
-  const Length bore = is_set(c.d_bore) ? c.d_bore : is_set(c.chi) ? c.chi * c.d : 0.0 * m.one;
+  const Length bore = bore_of(c.d_bore, c.chi, c.d);
   return {bore / 2.0, c.d / 2.0};
 }
 

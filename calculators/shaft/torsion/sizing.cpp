@@ -1,4 +1,5 @@
 // How the diameters of segments go together when they are searched for: each for itself, the lightest shaft of all.
+#include "calculators/shaft/section.hpp"
 #include "calculators/shaft/torsion/parts.hpp"
 #include "calculators/shaft/torsion/torsion.hpp"
 
@@ -16,7 +17,7 @@ bool Torsion::raise(const Input&, std::span<Sought>) { return true; }
 double Torsion::cost(const Input& in) {
   double volume = 0.0;
   for (const Cylinder& c : cylinders_of(in)) {
-    const Length bore = is_set(c.d_bore) ? c.d_bore : is_set(c.chi) ? c.chi * c.d : 0.0 * c.d;
+    const Length bore = bore_of(c.d_bore, c.chi, c.d);
     volume += in_si(std::numbers::pi / 4.0 * (c.d * c.d - bore * bore) * c.l);
   }
   return volume;

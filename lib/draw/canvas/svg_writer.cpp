@@ -4,12 +4,7 @@
 #include "lib/draw/canvas/style.hpp"
 #include "lib/text/markup.hpp"
 
-#include <cstdint>
-#include <map>
 #include <numbers>
-#include <string>
-#include <utility>
-#include <variant>
 
 namespace loadpath::draw {
 namespace {
@@ -24,76 +19,22 @@ void append_coordinate(std::string& out, double value) {
 
 double rounded(double value) { return std::round(100.0 * value) / 100.0; }
 
-/// The data of a polyline, without its end.
-std::string course_of(const Canvas::Path& path) {
-  std::string data = "M";
-  Point last;
-  for (std::size_t i = 0; i < path.points.size(); ++i) {
-    const Point p{rounded(path.points[i].x), rounded(path.points[i].y)};
-    if (i == 1) data += 'l';
-    append_coordinate(data, (p - last).x);
-    append_coordinate(data, (p - last).y);
-    last = p;
-  }
-  return data;
-}
-
-struct Course {
-  int count = 0;
-  bool is_closed = true;  // in all places
-};
-using Courses = std::map<std::string, Course>;
-
-/// Long courses that a picture has more than once: the teeth of a gear, filled and as an outline.
-Courses repeated_courses(const Canvas& canvas) {
-  constexpr std::size_t least_points = 60;
-  Courses courses;
-  for (const Canvas::Element& part : canvas.elements()) {
-    const auto* const path = std::get_if<Canvas::Path>(&part);
-    if (path == nullptr || path->points.size() < least_points) continue;
-    Course& course = courses[course_of(*path)];
-    ++course.count;
-    course.is_closed = course.is_closed && path->closed;
-  }
-  std::erase_if(courses, [](const auto& one) { return one.second.count < 2; });
-  return courses;
-}
-
-/// Whether a path may be open where its outline is: a filled area has none.
-bool may_be_open(const Canvas::Path& path) { return !path.closed || path.style == "body"; }
-
-/// A name that follows from the course, as all pictures of a page share their names.
-std::string name_of(std::string_view course) {
-  constexpr std::uint64_t offset = 14695981039346656037U, prime = 1099511628211U;  // FNV-1a
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::uint64_t hash = offset;
-  for (const char c : course) hash = (hash ^ static_cast<unsigned char>(c)) * prime;
-  std::string name = "p";
-  for (int i = 0; i < 8; ++i, hash >>= 4U) name += digits[hash & 15U];
-  return name;
-}
-
 /// Writes element after element.
 class Svg {
  public:
-  Svg(std::string& body, Courses repeated) : body_(body), repeated_(std::move(repeated)) {
-    if (repeated_.empty()) return;
-    body_ += "<defs>\n";
-    for (const auto& [data, course] : repeated_)
-      body_ += "<path id=\"" + name_of(data) + "\" d=\"" + data + (course.is_closed ? "z\"/>\n" : "\"/>\n");
-    body_ += "</defs>\n";
-  }
+  explicit Svg(std::string& body) : body_(body) {}
 
   void operator()(const Canvas::Path& path) {
-    const std::string course = course_of(path);
-    const auto known = repeated_.find(course);
-    if (known != repeated_.end() && (known->second.is_closed || may_be_open(path))) {
-      open("use", path.style);
-      body_ += " href=\"#" + name_of(course) + "\"/>\n";
-      return;
-    }
     open("path", path.style);
-    body_ += " d=\"" + course + (path.closed ? "z\"/>\n" : "\"/>\n");
+    body_ += " d=\"M";
+    Point last;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      const Point p{rounded(path.points[i].x), rounded(path.points[i].y)};
+      if (i == 1) body_ += 'l';
+      coordinates(p - last);
+      last = p;
+    }
+    body_ += path.closed ? "z\"/>\n" : "\"/>\n";
   }
   void operator()(const Canvas::Strokes& many) {
     open("path", many.style);
@@ -195,11 +136,9 @@ class Svg {
   }
 
   std::string& body_;
-  Courses repeated_;
 };
 
-/// `repeated`: courses that are written once, in a page; programs that read files may not know references.
-std::string element(const Picture& picture, std::string_view title, const std::string& style, Courses repeated) {
+std::string element(const Picture& picture, std::string_view title, const std::string& style) {
   const double natural = std::round(560.0 / view_width * picture.width);  // pixels on a wide page
   std::string out = "<svg class=\"lp\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0";
   append_coordinate(out, picture.width);
@@ -213,7 +152,7 @@ std::string element(const Picture& picture, std::string_view title, const std::s
   out += "</title>\n<desc>";
   out += escaped(picture.description);
   out += "</desc>\n" + style + "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n";
-  Svg writer(out, std::move(repeated));
+  Svg writer(out);
   for (const Canvas::Element& part : picture.canvas.elements()) std::visit(writer, part);
   return out + "</svg>\n";
 }
@@ -221,11 +160,9 @@ std::string element(const Picture& picture, std::string_view title, const std::s
 }  // namespace
 
 std::string svg_file(const Picture& picture, std::string_view title) {
-  return element(picture, title, "<style>" + style_sheet() + "</style>\n", {});
+  return element(picture, title, "<style>" + style_sheet() + "</style>\n");
 }
 
-std::string svg_part(const Picture& picture, std::string_view title) {
-  return element(picture, title, "", repeated_courses(picture.canvas));
-}
+std::string svg_part(const Picture& picture, std::string_view title) { return element(picture, title, ""); }
 
 }  // namespace loadpath::draw

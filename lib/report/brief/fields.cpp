@@ -4,7 +4,7 @@
 #include "lib/report/appendix.hpp"
 #include "lib/report/brief/governing.hpp"
 #include "lib/report/brief/names.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 
 #include <algorithm>
 #include <map>

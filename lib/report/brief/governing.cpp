@@ -3,7 +3,7 @@
 #include "lib/formula/formula.hpp"
 #include "lib/numerics/magnitude.hpp"
 #include "lib/report/brief/names.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/why.hpp"
 
 #include <algorithm>

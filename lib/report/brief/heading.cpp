@@ -1,7 +1,7 @@
 #include "lib/quantity/format.hpp"
 #include "lib/report/brief/brief.hpp"
 #include "lib/report/brief/governing.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 
 #include <algorithm>
 #include <filesystem>

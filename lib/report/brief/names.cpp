@@ -4,7 +4,7 @@
 #include "lib/formula/names.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/appendix.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/summary/summary.hpp"
 #include "lib/report/worked.hpp"
 

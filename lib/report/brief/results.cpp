@@ -3,7 +3,7 @@
 #include "lib/report/appendix.hpp"
 #include "lib/report/brief/names.hpp"
 #include "lib/report/columns.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/why.hpp"
 #include "lib/report/worked.hpp"
 

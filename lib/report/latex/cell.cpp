@@ -1,7 +1,7 @@
 #include "lib/account/conclusion.hpp"
 #include "lib/formula/formula.hpp"
 #include "lib/report/latex/tex.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/worked.hpp"
 #include "lib/text/latex.hpp"
 

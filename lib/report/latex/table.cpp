@@ -3,7 +3,7 @@
 #include "lib/report/columns.hpp"
 #include "lib/report/latex/tex.hpp"
 #include "lib/report/latex/widths.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/worked.hpp"
 #include "lib/text/latex.hpp"
 

@@ -4,7 +4,7 @@
 #include "lib/quantity/format.hpp"
 #include "lib/report/conclusion.hpp"
 #include "lib/report/markdown/text.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/worked.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "lib/quantity/format.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/summary/summary.hpp"
 #include "lib/report/why.hpp"
 

@@ -1,4 +1,4 @@
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/summary/summary.hpp"
 
 #include <algorithm>

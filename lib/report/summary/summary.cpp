@@ -1,7 +1,7 @@
 #include "lib/report/summary/summary.hpp"
 
 #include "lib/numerics/magnitude.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/why.hpp"
 
 #include <algorithm>

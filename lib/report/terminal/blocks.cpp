@@ -1,6 +1,6 @@
 #include "lib/report/terminal/blocks.hpp"
 
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/terminal/words.hpp"
 
 #include <algorithm>

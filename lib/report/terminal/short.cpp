@@ -1,7 +1,7 @@
 #include "lib/report/terminal/short.hpp"
 
 #include "lib/quantity/format.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/terminal/blocks.hpp"
 #include "lib/report/terminal/layout.hpp"
 #include "lib/report/terminal/rows.hpp"

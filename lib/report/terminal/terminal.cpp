@@ -3,7 +3,7 @@
 #include "lib/account/conclusion.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/appendix.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/summary/summary.hpp"
 #include "lib/report/terminal/answer.hpp"
 #include "lib/report/terminal/look.hpp"

@@ -3,7 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
-#include "lib/report/summary/numbers.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <doctest/doctest.h>

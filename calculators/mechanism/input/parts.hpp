@@ -165,8 +165,8 @@ struct Joint {
           .within(0, 90)
           .may_be_missing(),
       Field{&Joint::h_max, "h_max", mm,
-            "prismatic: maximum distance of the guide force from the first link's point; half the guide_length: the "
-            "force acts within the block"}
+            "prismatic: maximum distance of the guide force (at least a tenth of its maximum) from the first link's "
+            "point; half the guide_length: the force acts within the block"}
           .at_least(0)
           .may_be_missing()};
 };

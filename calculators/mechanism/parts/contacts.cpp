@@ -99,13 +99,21 @@ struct Arm {
   std::size_t at = 0;
 };
 
+/// Where the force passes through zero a small couple has a long arm, and presses hardly at all: there the couple is
+/// divided by a tenth of the largest force.
 Arm longest_arm(const Guide& guide, const Cycle& cycle) {
+  constexpr double least_share = 0.1;
+  double least = 0.0;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (cycle.has_forces(k)) least = std::max(least, least_share * std::abs(guide.now(cycle.positions[k]).N));
+  }
   Arm arm;
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
     if (!cycle.has_forces(k)) continue;
     const Guide::Pressure pressure = guide.now(cycle.positions[k]);
     if (pressure.M == 0.0) continue;
-    const double h = pressure.N == 0.0 ? std::numeric_limits<double>::infinity() : std::abs(pressure.M / pressure.N);
+    const double N = std::max(std::abs(pressure.N), least);
+    const double h = N == 0.0 ? std::numeric_limits<double>::infinity() : std::abs(pressure.M) / N;
     if (h > arm.most) arm = {h, k};
   }
   return arm;

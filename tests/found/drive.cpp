@@ -23,15 +23,19 @@ TEST_SUITE("found drive") {
         "[train]\ncalculator = \"drive.train\"\nP = \"11 kW\"\nn_1 = \"730 rpm\"\nstages = [{ name = \"first\", z_1 = "
         "21, "
         "z_2 = 84, m_n = \"3 mm\" }, { z_1 = 20, z_2 = 60, m_n = \"4 mm\" }]\n";
-    const auto pair = [](const std::string& name, const char* stage, const char* shaft, const char* b) {
+    const auto loaded = [](const std::string& name, const char* stage, const std::string& shaft, const std::string& T,
+                           const char* b) {
       const std::string of = std::string("\"=train.stages") + stage;
       return "[" + name + "]\ncalculator = \"gear.pair\"\nz_1 = " + of + ".z_1\"\nz_2 = " + of + ".z_2\"\nm_n = " + of +
-             ".m_n\"\nb = \"" + b + "\"\nT_1 = \"=abs(train.shafts[" + shaft + "].T)\"\nn_1 = \"=abs(train.shafts[" +
-             shaft + "].n)\"\nK_f = 1.5\nsigma_adm_1 = \"260 MPa\"\nsigma_adm_2 = \"260 MPa\"\n[rating_" + name +
+             ".m_n\"\nb = \"" + b + "\"\nT_1 = \"=abs(train." + T + ")\"\nn_1 = \"=abs(train.shafts[" + shaft +
+             "].n)\"\nK_f = 1.5\nsigma_adm_1 = \"260 MPa\"\nsigma_adm_2 = \"260 MPa\"\n[rating_" + name +
              "]\ncalculator = \"gear.rating\"\nmesh = \"=" + name +
              ".mesh\"\nplace = \"middle\"\ngrade = 6\nmaterial_1 = \"case\"\nquality_1 = \"MQ\"\nH_1 = 700\nmaterial_2 "
              "= "
              "\"case\"\nquality_2 = \"MQ\"\nH_2 = 700\nS_Hmin = 1.1\nS_Fmin = 1.5\n";
+    };
+    const auto pair = [&](const std::string& name, const char* stage, const std::string& shaft, const char* b) {
+      return loaded(name, stage, shaft, "shafts[" + shaft + "].T", b);
     };
     const std::string first = pair("a", ".first", "1", "60 mm"), second = pair("b", "[2]", "2", "80 mm");
     const auto strength = [&](const std::string& pairs) {
@@ -41,6 +45,14 @@ TEST_SUITE("found drive") {
     CHECK(strength(first) == "open");
     CHECK(strength(first + second) == "pass");
     CHECK(strength(first + pair("b", "[2]", "2", "8 mm")) == "fail");
+    const auto first_by = [&](const char* T) { return strength(loaded("a", ".first", "1", T, "60 mm") + second); };
+    CHECK(first_by("T_1") == "pass");
+    CHECK(first_by("T_out/train.i") == "open");  // of the other end
+    const auto last_by = [&](const char* T) { return strength(first + loaded("b", "[2]", "2", T, "80 mm")); };
+    CHECK(last_by("T_out/train.stages[2].i") == "pass");
+    CHECK(last_by("T_1") == "open");
+    CHECK(last_by("T_1*4") == "open");  // of the other end, whatever the ratio
+    CHECK(last_by("P_loss*1 s") == "open");
   }
 
   TEST_CASE("A13: a shaft that takes a chain's pull with K_A takes no torque without it") {

@@ -38,19 +38,26 @@ std::optional<Elements> elements_of(const Step& part, const ModeInfo& mode) {
   return Elements{part, *list, mode.loads};
 }
 
-/// Whether a step refers to the element, and to its load: torque or power of the shaft before or behind it, or those of
-/// the whole part for the first and the last one.
+/// Whether a quantity of the whole part is that of the shaft before the first element, its inputs and "T_1", or behind
+/// the last one, "T_out". Others are of neither: the loss of power.
+bool is_of_end(const Elements& all, std::string_view key, std::size_t i) {
+  const bool enters = key.ends_with("_1") || find_field(all.part.input().calculator->input->fields, key) != nullptr;
+  return (i == 0 && enters) || (i + 1 == all.count() && key.ends_with("_out"));
+}
+
+/// Whether a step refers to the element, and to its load: torque or power of the shaft before or behind it, or those at
+/// the same end of the whole part.
 bool assesses(const Step& judge, const Elements& all, std::size_t i) {
   const std::string name = all.by_name(i) + ".", number = all.by_number(all.list.key, i) + ".";
   const std::string before = all.by_number(all.loads, i) + ".", behind = all.by_number(all.loads, i + 1) + ".";
   const std::string whole = all.part.name() + ".";
-  const bool is_end = i == 0 || i + 1 == all.count();
   bool takes_size = false, takes_load = false;
   for (const Operand& operand : judge.input().reading.operands) {
     for (const auto& reference : operand.expression.references()) {
       const std::string& path = reference.path;
       takes_size = takes_size || path.starts_with(name) || path.starts_with(number);
-      const bool is_whole = is_end && path.starts_with(whole) && path.find_first_of(".[", whole.size()) == path.npos;
+      const bool is_whole = path.starts_with(whole) && path.find_first_of(".[", whole.size()) == path.npos &&
+                            is_of_end(all, path.substr(whole.size()), i);
       if (!is_whole && !path.starts_with(before) && !path.starts_with(behind)) continue;
       const auto signature = all.part.signature(path.substr(whole.size()));
       const bool is_speed = signature && signature->dimension.without_angle() == Dimension::of(0, 0, -1);

@@ -86,6 +86,21 @@ TEST_SUITE("found disagreements") {
     CHECK(how(lift_with_gears("2.5"), "run_up", "stall") == "pass");
   }
 
+  TEST_CASE("only a peak factor of the same line covers its start") {
+    const auto key = [](const std::string& T, const std::string& T_max) {
+      return how(lift_with_gears("1") + "\n[key]\ncalculator = \"shaft.key\"\nT = \"" + T + "\"\nT_max = \"" + T_max +
+                     "\"\ntorque = \"one_way\"\nd = \"25 mm\"\nkey = \"8x7\"\nl = \"40 mm\"\nl_n = \"45 mm\"\n"
+                     "R_e_1 = \"370 MPa\"\nR_e_2 = \"200 MPa\"\nR_e_k = \"420 MPa\"\n",
+                 "run_up", "stall");
+    };
+    CHECK(key("=train.T_1", "70 N*m") == "pass");
+    CHECK(key("=train.T_1", "-70 N*m") == "pass");
+    CHECK(key("=train.T_1", "30 N*m") == "not-judged");
+    CHECK(key("10 N*m", "70 N*m") == "not-judged");  // of another machine
+    CHECK(key("0 N*m", "70 N*m") == "not-judged");
+    CHECK(key("=0*train.T_1", "70 N*m") == "not-judged");
+  }
+
   TEST_CASE("a train at the speed of a flywheel transmits its mean power") {
     CHECK(how(engine_and("5 kW"), "train", "strength") == "not-judged");
     CHECK(how(engine_and("377 kW"), "train", "strength") == "open");

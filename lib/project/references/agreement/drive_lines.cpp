@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -18,7 +19,6 @@ namespace {
 constexpr double slip = 0.1;      // of the speed of a motor
 constexpr double digits = 0.01;   // of a speed that is typed twice
 constexpr double weakest = 0.85;  // motor moment over the torque of the shaft: rounded values, losses
-constexpr int most_shafts = 13;   // of a train
 
 bool is_run_speed(std::string_view what) { return what == speed_of_run; }
 bool is_run_moment(std::string_view what) { return what == moment_of_motor; }
@@ -27,6 +27,27 @@ bool is_flywheel_inertia(std::string_view what) { return what == inertia_of_flyw
 /// The shafts of a mechanism have a torque over the cycle, which a flywheel evens out.
 bool is_train(const Step& step) {
   return step.input().calculator != nullptr && std::string_view(step.input().calculator->id) == "drive.train";
+}
+
+/// The number of shafts of a train: of each stage the one behind it, and the first.
+std::size_t shafts_of(const Step& train) {
+  const Reading& reading = train.input().reading;
+  const FieldInfo* const stages = find_field(train.input().calculator->input->fields, "stages");
+  if (stages == nullptr || stages->type != FieldInfo::Type::list || reading.record.data == nullptr) return 0;
+  return stages->size(reading.record.data.get()) + 1;
+}
+
+/// The steps that refer to one of these, and those that refer to them in turn.
+std::set<std::string> with_followers(std::set<std::string> names, const Project& project) {
+  for (std::size_t before = 0; before != names.size();) {
+    before = names.size();
+    for (const auto& step : project.steps) {
+      const std::set<std::string> sources = steps_named_in(step->input().reading);
+      const auto is_among = [&](const std::string& source) { return names.contains(source); };
+      if (std::ranges::any_of(sources, is_among)) names.insert(step->name());
+    }
+  }
+  return names;
 }
 
 /// A shaft of the run: its torque, and the paths that others take it by.
@@ -77,7 +98,8 @@ class LineCheck {
   void add_shafts(const std::string& train, double share, std::vector<LineShaft>& all) const {
     const Step* const step = project_.find(train);
     if (step == nullptr || !is_train(*step)) return;
-    for (int k = 1; k <= most_shafts; ++k) {
+    const std::size_t count = shafts_of(*step);
+    for (std::size_t k = 1; k <= count; ++k) {
       const std::string shaft = train + ".shafts[" + std::to_string(k) + "].";
       const double n = std::abs(magnitude_at(project_, shaft + "n")), T = std::abs(magnitude_at(project_, shaft + "T"));
       if (std::isnan(n)) return;
@@ -119,15 +141,27 @@ class LineCheck {
     return found;
   }
 
+  /// The largest that a shaft or a connection of this line has.
+  [[nodiscard]] double peak_factor(const std::string& train) const {
+    const std::set<std::string> line = with_followers({train, run_.name()}, project_);
+    double most = 1.0;
+    for (const auto& step : project_.steps) {
+      if (line.contains(step->name())) most = std::fmax(most, peak_factor_of(*step, project_));
+    }
+    return most;
+  }
+
   /// A start or a stop goes through all that is assessed for the torque of this shaft.
   void compare_start(const LineShaft& shaft) {
+    if (!(moment_ > shaft.T)) return;
+    const double peak = peak_factor(shaft.step);
     for (const auto& part : project_.steps) {
       const Calculator* const calculator = part->input().calculator;
       if (calculator == nullptr || part.get() == &run_ || !takes(*part, shaft)) continue;
       const FieldInfo* const field = find_field(calculator->input->fields, "K_A");
       if (field == nullptr || !field->is_factor) continue;
       const double K_A = std::fmax(1.0, own_value(*part, project_, "K_A"));
-      if (!(moment_ > K_A * shaft.T * peak_factor())) continue;
+      if (!(moment_ > K_A * shaft.T * peak)) continue;
       add(
           say("the moment of {1} is {2} times the torque of '{3}', which '{4}' takes with K_A = {5}: give K_A, k_max "
               "or T_max for it, or because.motor = \"...\"",
@@ -135,17 +169,6 @@ class LineCheck {
               format_number(K_A, 4)));
       return;
     }
-  }
-
-  /// The largest that a shaft or a connection of the project has.
-  [[nodiscard]] double peak_factor() const {
-    double most = 1.0;
-    for (const auto& step : project_.steps) {
-      if (step->input().calculator == nullptr) continue;
-      most = std::fmax(most, own_value(*step, project_, "k_max"));
-      most = std::fmax(most, std::abs(own_value(*step, project_, "T_max") / own_value(*step, project_, "T")));
-    }
-    return most;
   }
 
   /// The speed of the wheel over that of the run; 1 at the same speed, NaN if the wheel is on no shaft of the run.
@@ -183,6 +206,13 @@ class LineCheck {
 };
 
 }  // namespace
+
+double peak_factor_of(const Step& step, const Project& project) {
+  if (step.input().calculator == nullptr) return 1.0;
+  const double T = std::abs(own_value(step, project, "T")), T_max = std::abs(own_value(step, project, "T_max"));
+  const double ratio = T > 0.0 ? T_max / T : 1.0;
+  return std::fmax(std::fmax(1.0, own_value(step, project, "k_max")), ratio);
+}
 
 std::vector<ReducedLoad> torques_of_line(const Step& step, const Project& project) {
   return LineCheck(step, project).run();

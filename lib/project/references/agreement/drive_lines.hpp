@@ -8,6 +8,10 @@
 
 namespace loadpath::project {
 
+/// By how much a step covers a peak of its torque: k_max of a shaft, T_max over T of a connection, in magnitude; 1 if
+/// it gives neither, or no torque.
+double peak_factor_of(const Step& step, const Project& project);
+
 /// For the step of a run.
 std::vector<ReducedLoad> torques_of_line(const Step& step, const Project& project);
 

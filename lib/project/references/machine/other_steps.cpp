@@ -1,6 +1,7 @@
 #include "lib/project/references/machine/other_steps.hpp"
 
 #include "lib/calculator/meaning.hpp"
+#include "lib/project/references/agreement/drive_lines.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/sources.hpp"
@@ -185,11 +186,7 @@ class RunCheck {
 
   double largest_peak_factor() const {
     double most = 1.0;
-    for (const auto& step : project_.steps) {
-      if (step->input().calculator == nullptr) continue;
-      most = std::fmax(most, own_value(*step, project_, "k_max"));
-      most = std::fmax(most, own_value(*step, project_, "T_max") / own_value(*step, project_, "T"));
-    }
+    for (const auto& step : project_.steps) most = std::fmax(most, peak_factor_of(*step, project_));
     return most;
   }
 

@@ -1,7 +1,6 @@
 #include "lib/report/answer.hpp"
 
 #include "lib/quantity/format.hpp"
-#include "lib/report/summary/summary.hpp"
 #include "lib/report/why.hpp"
 
 #include <algorithm>
@@ -212,7 +211,7 @@ draw::Flow::Part part_of(const Step& step, const Modes& all) {
   const State state = modes.empty() ? State::open : overall(modes);
   constexpr std::size_t most_sizes = 2;  // in the width of a box
   std::string below;
-  const std::vector<std::string> sizes = short_sizes(step);
+  const std::vector<std::string> sizes = size_words(step);
   for (std::size_t i = 0; i < std::min(most_sizes, sizes.size()); ++i) below += (i == 0 ? "" : ", ") + sizes[i];
   if (sizes.size() > most_sizes) below += ", …";
   if (below.empty()) below = step.input().calculator->title;

@@ -37,7 +37,7 @@ void roll(const Wheels::Input& in, Wheels::Result& r, Tracer& trace) {
   }
   STEP_TO(r, delta_1, atan(sin(in.Sigma) / (in.d_2 / in.d_1 + cos(in.Sigma))),
           "cones with a common apex roll without sliding");
-  STEP_TO(r, delta_2, in.Sigma - delta_1, "the cones fill the angle of the shafts");
+  STEP_TO(r, delta_2, in.Sigma - delta_1, "cone angles add up to the shaft angle");
 }
 
 /// Pressing force over the normal force that it makes.
@@ -58,16 +58,16 @@ void press(const Wheels::Input& in, Wheels::Result& r, Tracer& trace) {
   r.mu = trace.value("mu", is_set(in.mu) ? in.mu : lowest_friction(in.pair),
                      is_set(in.mu) ? "as given" : "the lowest value of the pair, [Lueger]");
   if (is_set(in.T_1)) {
-    STEP_TO(r, F_t, 2.0 * in.K_A * in.T_1 / in.d_1, "force that friction carries over");
+    STEP_TO(r, F_t, 2.0 * in.K_A * in.T_1 / in.d_1, "tangential force transmitted by friction");
   } else {
-    STEP_TO(r, F_t, in.K_A * in.P / r.v, "force that friction carries over");
+    STEP_TO(r, F_t, in.K_A * in.P / r.v, "tangential force transmitted by friction");
   }
   STEP(F_nmin, in.S_min * r.F_t / r.mu, "normal force without slip, with its safety, [Artobolevsky]");
   const double k_p = pressing_share(in, r, trace);
   STEP_TO(r, F_pmin, k_p * F_nmin, "minimum pressing force");
   STEP_TO(r, F_p, is_set(in.F_p) ? in.F_p : F_pmin, is_set(in.F_p) ? "as given" : "the minimum");
   STEP_TO(r, F_n, F_p / k_p, "normal force between the rims");
-  STEP_TO(r, mu_req, r.F_t / F_n, "friction that is used");
+  STEP_TO(r, mu_req, r.F_t / F_n, "required coefficient of friction");
   STEP_TO(r, S_R, r.mu / mu_req, "safety factor against slip");
   STEP_TO(r, T_R, r.mu * F_n * in.d_1 / 2.0, "a larger torque slips");
   STEP_TO(r, u_S, F_pmin / F_p, "slip condition");
@@ -83,7 +83,7 @@ void load_shafts(const Wheels::Input& in, Wheels::Result& r, Tracer& trace) {
     STEP_TO(r, F_r2, r.F_n * cos(r.delta_2), "normal force across the driven shaft");
     STEP_TO(r, F_a2, r.F_n * sin(r.delta_2), "normal force along the driven shaft");
   } else {
-    STEP_TO(r, F_r1, r.F_p, "the pressing force parts the wheels");
+    STEP_TO(r, F_r1, r.F_p, "separating force: the pressing force");
     STEP_TO(r, F_r2, r.F_p, "equal and opposite on the driven shaft");
     r.F_a1 = r.F_a2 = none;
   }
@@ -127,7 +127,7 @@ void touch(const Wheels::Input& in, Wheels::Result& r, Tracer& trace) {
     const auto kappa = curvature(in, r, trace);
     STEP(C, (1.0 - pow<2>(in.nu_1)) / in.E_1 + (1.0 - pow<2>(in.nu_2)) / in.E_2, "compliance of both rims, [Hertz]");
     STEP_TO(r, p_H, sqrt(q * kappa / (pi * C)), "largest pressure of the line contact, [Hertz]");
-    STEP_TO(r, b_H, 2.0 * q / (pi * p_H), "half of the width of the contact, [Hertz]");
+    STEP_TO(r, b_H, 2.0 * q / (pi * p_H), "half contact width, [Hertz]");
     if (is_set(in.p_adm)) {
       u_H = NAMED_STEP("u_H", p_H / in.p_adm, "contact condition of elastic rims");
       b_p = NAMED_STEP("b_p", r.F_n * kappa / (n_L * pi * C * pow<2>(in.p_adm)),

@@ -3,10 +3,10 @@
 // Decides the force that presses them together by a safety factor against slip, the line load and the Hertzian
 // pressure of their contact, the forces on both shafts and the torque at which they slip. Coefficients of friction by
 // material are the lowest of [Lueger], for dry rims on cast iron. Creep lowers the speed and not the torque. Forces:
-// the normal force parts the wheels, F_t is against the rotation of the driving wheel and with that of the driven one;
-// axial forces push bevel wheels away from the apex. Grooves: a share c_r of the friction acts against pressing in.
-// Not covered: wear, heating, the sliding in deep grooves and along a cone whose apexes do not meet, wheels in rings,
-// crowned and point contacts, losses by rolling.
+// the normal force separates the wheels, F_t is against the rotation of the driving wheel and with that of the driven
+// one; axial forces push bevel wheels away from the apex. Grooves: a share c_r of the flank friction opposes pressing
+// in. Not covered: wear, heating, the sliding in deep grooves and along a cone whose apexes do not meet, wheels in
+// rings, crowned and point contacts, losses by rolling.
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"
@@ -102,10 +102,8 @@ q_adm = "30 N/mm"
           .near_that_of_source("shafts[#].n")
           .usually(1, 2e4),
       Choice{&Input::shape, "shape", "shape of the wheels"}.may_be_missing(),
-      Field{&Input::d_1, "d_1", mm, "diameter of the driving wheel at the middle of the contact"}.positive().usually(
-          5, 3000),
-      Field{&Input::d_2, "d_2", mm, "diameter of the driven wheel at the middle of the contact"}.positive().usually(
-          5, 5000),
+      Field{&Input::d_1, "d_1", mm, "mean contact diameter of the driving wheel"}.positive().usually(5, 3000),
+      Field{&Input::d_2, "d_2", mm, "mean contact diameter of the driven wheel"}.positive().usually(5, 5000),
       Field{&Input::epsilon, "epsilon", ratio, "creep (slip) of the wheels; omitted: none"}.within(0, 0.2).usually(
           0, 0.05),
       Field{&Input::alpha, "alpha", deg, "half of the groove angle, of grooved wheels"}
@@ -114,7 +112,7 @@ q_adm = "30 N/mm"
           .may_be_missing(),
       Count{&Input::z, "z", 1, 20, "number of grooves, of grooved wheels"}.may_be_missing(),
       Field{&Input::c_r, "c_r", ratio,
-            "share of the friction that acts against pressing into the grooves: 0.5 by Lueger, 1 for wheels at rest"}
+            "proportion of flank friction that opposes the pressing force: 0.5 by Lueger, 1 for wheels at rest"}
           .within(0, 1),
       Field{&Input::Sigma, "Sigma", deg, "angle of the shafts, of bevel wheels"}.within(1, 170),
       Field{&Input::b, "b", mm, "contact length along a rim, cone or flank of a groove"}
@@ -186,20 +184,19 @@ q_adm = "30 N/mm"
       Field{&Result::F_pmin, "F_pmin", N, "minimum pressing force, with the required safety against slip"},
       Field{&Result::F_p, "F_p", N, "force that presses the wheels together"},
       Field{&Result::F_n, "F_n", N, "normal force between the rims, of grooved wheels the sum over the flanks"},
-      Field{&Result::mu_req, "mu_req", ratio, "utilised coefficient of friction"},
+      Field{&Result::mu_req, "mu_req", ratio, "required coefficient of friction"},
       Field{&Result::S_R, "S_R", ratio, "safety factor against slip"},
       Field{&Result::T_R, "T_R", N_m, "torque of the driving wheel at which the wheels slip"},
-      on_a_shaft(&Result::F_r1, "F_r1", "force that parts the wheels, across the driving shaft",
-                 "F_t, F_a1, shaft_1.T"),
+      on_a_shaft(&Result::F_r1, "F_r1", "separating force, perpendicular to the driving shaft", "F_t, F_a1, shaft_1.T"),
       on_a_shaft(&Result::F_a1, "F_a1", "axial force on the driving wheel, away from the apex", "F_t, F_r1, shaft_1.T"),
-      on_a_shaft(&Result::F_r2, "F_r2", "force that parts the wheels, across the driven shaft", "F_t, F_a2, shaft_2.T"),
+      on_a_shaft(&Result::F_r2, "F_r2", "separating force, perpendicular to the driven shaft", "F_t, F_a2, shaft_2.T"),
       on_a_shaft(&Result::F_a2, "F_a2", "axial force on the driven wheel, away from the apex", "F_t, F_r2, shaft_2.T"),
       Group{&Result::shaft_1, "shaft_1", "shaft load on the driving shaft, turning counter-clockwise, for load"}
           .handed_over(),
       Group{&Result::shaft_2, "shaft_2", "shaft load on the driven shaft, turning clockwise, for load"}.handed_over(),
       Field{&Result::q, "q", N_per_mm, "line load: normal force per length of contact"},
       Field{&Result::p_H, "p_H", MPa, "maximum Hertzian pressure"}.where_it_applies(),
-      Field{&Result::b_H, "b_H", mm, "half of the width of the flattened contact"}.where_it_applies(),
+      Field{&Result::b_H, "b_H", mm, "half contact width"}.where_it_applies(),
       Field{&Result::b_min, "b_min", mm, "minimum contact length by q_adm and p_adm"}.where_it_applies(),
       Field{&Result::u_S, "u_S", ratio, "slip: required / actual pressing force"}.check(),
       Field{&Result::u_p, "u_p", ratio, "contact: line load or Hertzian pressure / allowable value, the larger"}.check(

@@ -66,7 +66,7 @@ template <class Tracer>
 MassMoment inclined(const Sizes& s, MassMoment own, MassMoment across, Tracer& trace) {
   const MassMoment J_a = own, J_t = across;
   return NAMED_STEP("J_c", J_a * pow<2>(cos(s.beta)) + J_t * pow<2>(sin(s.beta)),
-                    "parallel to z through its centre: principal axes turned by beta");
+                    "about its own centroidal axis parallel to z: principal axes turned by beta");
 }
 
 template <class Tracer>
@@ -110,11 +110,11 @@ MassMoment own_moment(const Part& p, const Sizes& s, Mass mass, Tracer& trace) {
       return of_sphere(s, m, trace);
     case Shape::cuboid:
       return NAMED_STEP("J_c", m * (pow<2>(s.a) + pow<2>(s.b)) / 12.0,
-                        "parallel to z through its centre, [Wikibooks-Solids]");
+                        "about its own centroidal axis parallel to z, [Wikibooks-Solids]");
     case Shape::point:
       break;
     case Shape::other:
-      return trace.value("J_c", p.J_c, "parallel to z through its centre, given");
+      return trace.value("J_c", p.J_c, "about its own centroidal axis parallel to z, given");
   }
   return trace.value("J_c", 0.0 * kg_m2, "its size is small");
 }
@@ -130,13 +130,13 @@ Share share_of(const Inertia::Input& in, const Part& p, Tracer& trace) {
   const MassMoment J_c = share.J_c = own_moment(p, sizes, m, trace);
   const Length x = trace.value("x", p.x, "its centre of mass");
   const Length y = trace.value("y", p.y, "its centre of mass");
-  const double count = trace.value("count", sign_of(p) * p.n, "number of these parts, negative of a hole");
+  const double count = trace.value("count", sign_of(p) * p.n, "number of these parts, negative for a hole");
   STEP_TO(share, e, sqrt(x * x + y * y), "distance of its centre of mass from the axis");
   STEP_TO(share, J_A, count * (J_c + m * e * e), "parallel-axis theorem");
   return share;
 }
 
-/// Sums over the parts: equal parts at equal angles have their common centre on the axis.
+/// Sums over the parts: identical parts, equally spaced, have their common centre on the axis.
 struct Sums {
   Mass m = 0.0 * kg;
   MassArm S_x = 0.0 * kg_mm, S_y = S_x, S_z = S_x;
@@ -184,7 +184,7 @@ Inertia::Result Inertia::evaluate(const Input& in, Tracer& trace) {
     add(in.parts[k], r.parts[k].mass, sums);
   }
   const Mass m = r.mass = trace.value("m", sums.m, "sum of the masses, holes negative");
-  const MassArm S_x = trace.value("S_x", sums.S_x, "sum of m x; n parts at equal angles have none");
+  const MassArm S_x = trace.value("S_x", sums.S_x, "sum of m x; n equally spaced parts have none");
   const MassArm S_y = trace.value("S_y", sums.S_y, "sum of m y");
   const MassArm S_z = trace.value("S_z", sums.S_z, "sum of m z");
   STEP_TO(r, x_S, S_x / m, "centre of mass, [B35]");

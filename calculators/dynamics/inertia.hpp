@@ -1,9 +1,9 @@
 // Mass, centre of mass and moment of inertia of a body composed of simple ones, about the axis z through the origin.
 //
 // Decides nothing: J is for calculators that take a moment of inertia. The bodies are homogeneous; x, y, z is the
-// position of the centre of mass of each, z along the axis. A hole counts negative. n equal parts lie at equal angles
-// about the axis. Bodies of revolution may be inclined by beta; a cuboid is parallel to the axes. Source: [B36] for the
-// definition, [Wikibooks-Solids] for the bodies. Not covered: products of inertia, and whether parts overlap.
+// position of the centre of mass of each, z along the axis. A hole counts negative. n identical parts are equally
+// spaced about the axis. Bodies of revolution may be inclined by beta; a cuboid is parallel to the axes. Source: [B36]
+// for the definition, [Wikibooks-Solids] for the bodies. Not covered: products of inertia, and whether parts overlap.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -60,13 +60,14 @@ parts = [
         NameField{&Part::name, "name", "name of the part"}.may_be_missing(),
         Choice{&Part::shape, "shape", "shape of the part"},
         Choice{&Part::as, "as", "material or hole"}.may_be_missing(),
-        Field{&Part::D, "D", mm, "outer diameter, of a cone at its base; of a rod for its mass"}
+        Field{&Part::D, "D", mm, "outer diameter; for a cone, at its base; for a rod omitted: slender (then give m)"}
             .positive()
             .may_be_missing(),
         Field{&Part::d_i, "d_i", mm, "inner diameter of a hollow cylinder, ring, tube or sphere; omitted: solid"}
             .at_least(0)
             .may_be_missing(),
-        Field{&Part::h, "h", mm, "length along its axis; of a cylinder omitted: thin; of a cuboid along z"}
+        Field{&Part::h, "h", mm,
+              "length along its axis, cuboid: along z; for a cylinder omitted: thin disc (then give m)"}
             .positive()
             .may_be_missing(),
         Field{&Part::a, "a", mm, "side of a cuboid along x"}.positive().may_be_missing(),
@@ -76,7 +77,7 @@ parts = [
             .positive()
             .usually(100, 23000)
             .may_be_missing(),
-        Field{&Part::J_c, "J_c", kg_m2, "shape other: moment of inertia about the parallel to z through its centre"}
+        Field{&Part::J_c, "J_c", kg_m2, "shape other: moment of inertia about its own centroidal axis parallel to z"}
             .at_least(0)
             .may_be_missing(),
         Field{&Part::x, "x", mm, "centre of mass, x; of a cone h/4 above its base"},
@@ -85,7 +86,7 @@ parts = [
         Field{&Part::beta, "beta", deg, "angle of its own axis to z; needed for a rod, omitted: 0"}
             .within(-180, 180)
             .may_be_missing(),
-        Count{&Part::n, "n", 1, 10000, "number of equal parts at equal angles about the axis"}.may_be_missing()};
+        Count{&Part::n, "n", 1, 10000, "number of identical parts, equally spaced about the axis"}.may_be_missing()};
   };
   static constexpr std::size_t most_parts = 32;
 
@@ -109,10 +110,10 @@ parts = [
     Length e = unset<Length>;
     MassMoment J_A = unset<MassMoment>;
     static constexpr Fields fields{
-        NameField{&Share::name, "name", "name of the part"}, Field{&Share::mass, called("m"), kg, "mass of one"},
-        Field{&Share::J_c, "J_c", kg_m2, "moment of inertia of one about the parallel axis through its centre"},
+        NameField{&Share::name, "name", "name of the part"}, Field{&Share::mass, called("m"), kg, "mass of one part"},
+        Field{&Share::J_c, "J_c", kg_m2, "moment of inertia of one part about its own centroidal axis parallel to z"},
         Field{&Share::e, "e", mm, "distance of its centre of mass from the axis"},
-        Field{&Share::J_A, "J_A", kg_m2, "contribution to J, all n of them, negative of a hole"}};
+        Field{&Share::J_A, "J_A", kg_m2, "contribution to J of all n parts, negative for a hole"}};
   };
 
   struct Result {

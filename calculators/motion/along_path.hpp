@@ -1,9 +1,10 @@
 // Motion of a point along a known path: the path is a curve of a parameter q, the motion the law S(t) of the arc
 // length.
 //
-// S counts along the path from the place of q_0, positive for rising q. The place is where the arc length is S(t): a
-// root of the integral of the curve's derivative. Sign: v_tau and a_tau are positive in the direction of rising q.
-// Source: [B26], [B28]. Not covered: paths with corners or cusps up to the place, laws with kinks or jumps.
+// S counts along the path from the place of q_0, positive in the direction of increasing q. The place is where the arc
+// length is S(t): a root of the integral of the curve's derivative. Sign: v_tau and a_tau are positive in the direction
+// of increasing q. Source: [B26], [B28]. Not covered: paths with corners or cusps up to the place, laws with kinks or
+// jumps.
 #pragma once
 
 #include "calculators/motion/laws.hpp"
@@ -27,7 +28,7 @@ struct AlongPath {
   static constexpr auto title = "Motion along a known path";
   static constexpr auto scope =
       "Position, velocity and acceleration with tangential and normal components of a point that moves along a smooth "
-      "plane or spatial curve x(q), y(q), z(q) by a law S(t) of the distance along it.";
+      "plane or spatial curve x(q), y(q), z(q) with the distance travelled S(t) given.";
   static constexpr auto source = "[B26], [B28]";
   static constexpr auto headline = "v = {v}, a = {a}";
   static constexpr auto synonyms =
@@ -55,7 +56,7 @@ t = "4 s"
       FormulaField{&Input::x, "x", "coordinate of the path as a formula of the parameter q: \"3 m*cos(q)\""},
       FormulaField{&Input::y, "y", "coordinate as a formula of q; omitted: 0"}.may_be_missing(),
       FormulaField{&Input::z, "z", "coordinate as a formula of q; omitted: 0"}.may_be_missing(),
-      Field{&Input::q_0, "q_0", ratio, "parameter at the place from which S counts"},
+      Field{&Input::q_0, "q_0", ratio, "parameter at S = 0"},
       FormulaField{&Input::S, "S", "distance along the path as a formula of the time t: \"2 m/s^2*t^2\""},
       Field{&Input::t, "t", sec, "time at which the state is calculated"}};
 
@@ -72,14 +73,14 @@ t = "4 s"
   };
   static constexpr Fields results{
       Field{&Result::v, "v", m_per_s, "speed"},
-      Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive for rising q"},
+      Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive in the direction of increasing q"},
       Field{&Result::a_n, "a_n", m_per_s2, "normal acceleration, towards the centre of curvature"},
       Field{&Result::a, "a", m_per_s2, "acceleration"},
       Field{&Result::rho, "rho", m, "radius of curvature; none where the path is straight"},
       Field{&Result::kappa, "kappa", per_m, "curvature of the path"},
-      Field{&Result::v_tau, "v_tau", m_per_s, "velocity along the path, positive for rising q"},
+      Field{&Result::v_tau, "v_tau", m_per_s, "velocity along the path, positive in the direction of increasing q"},
       Field{&Result::S_t, "S_t", m, "distance along the path at the time t"},
-      Field{&Result::q_t, "q_t", ratio, "parameter of the place"},
+      Field{&Result::q_t, "q_t", ratio, "path parameter at time t"},
       Field{&Result::x_M, "x_M", m, "coordinate x at the time t"},
       Field{&Result::y_M, "y_M", m, "coordinate y at the time t"},
       Field{&Result::z_M, "z_M", m, "coordinate z at the time t"},

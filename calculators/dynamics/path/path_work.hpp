@@ -3,8 +3,8 @@
 // The curve is given by x, y, z as laws of t, its time or any parameter; the force along each axis by position,
 // velocity and t. Work is the integral of F_x dx + F_y dy + F_z dz, by Gauss's rule of eight points with intervals
 // halved until their halves agree; the sum of the differences that are left is the estimated error. Sign: positive
-// where the force acts along the motion. Source: [B34]. Not covered: the forces that keep the body on the curve, which
-// have no work if the guide is smooth.
+// where the force acts along the motion. Source: [B34]. Not covered: constraint forces, which do no work if
+// the guide is smooth.
 #pragma once
 
 #include "calculators/dynamics/free_motion.hpp"
@@ -26,7 +26,7 @@ struct PathWork {
   static constexpr auto title = "Work of a force along a curve";
   static constexpr auto scope =
       "Work, mean force and power of a force that depends on position, velocity and time along a prescribed plane or "
-      "spatial curve x(t), y(t), z(t); the forces that keep the body on the curve are not covered.";
+      "spatial curve x(t), y(t), z(t); constraint forces are not covered.";
   static constexpr auto source = "[B34]";
   static constexpr auto headline = "A = {A}";
   static constexpr auto synonyms =
@@ -58,8 +58,8 @@ F_z = "0.25 N"
       FormulaField{&Input::x, "x", "coordinate of the curve as a formula of t: \"3 m*sin(pi*t/(1 s))\""},
       FormulaField{&Input::y, "y", "coordinate as a formula of t; omitted: 0"}.may_be_missing(),
       FormulaField{&Input::z, "z", "coordinate as a formula of t; omitted: 0"}.may_be_missing(),
-      Field{&Input::t_1, "t_1", sec, "t at the start of the path"},
-      Field{&Input::t_2, "t_2", sec, "t at its end, after t_1"},
+      Field{&Input::t_1, "t_1", sec, "time at the start of the path"},
+      Field{&Input::t_2, "t_2", sec, "time at the end of the path (> t_1)"},
       FormulaField{&Input::F_x, "F_x",
                    "force along x as a formula, e.g. \"-20 N/m*x\"; variables: x, y, z, v_x, v_y, v_z, v, t"},
       FormulaField{&Input::F_y, "F_y", "force along y; omitted: 0"}.may_be_missing(),
@@ -74,9 +74,9 @@ F_z = "0.25 N"
   };
   static constexpr Fields results{
       Field{&Result::A, "A", J, "work of the force"},
-      Field{&Result::A_x, "A_x", J, "work of its component along x"},
-      Field{&Result::A_y, "A_y", J, "work of its component along y"},
-      Field{&Result::A_z, "A_z", J, "work of its component along z"},
+      Field{&Result::A_x, "A_x", J, "work done by F_x"},
+      Field{&Result::A_y, "A_y", J, "work done by F_y"},
+      Field{&Result::A_z, "A_z", J, "work done by F_z"},
       Field{&Result::L, "L", m, "length of the path"},
       Field{&Result::F_m, "F_m", N, "mean of the force along the path: work over length"},
       Field{&Result::P_m, "P_m", W, "mean power; t is the time"},

@@ -88,10 +88,10 @@ FieldFault Rating::missing_line(const Input& in) {
   const Quality quality = first ? in.quality_2 : in.quality_1;
   for (const StrengthLine& line : strength_lines) {
     if (line.material != material || line.quality != quality) continue;
-    return {first ? "H_2" : "H_1", say("the hardness is outside the line of ISO 6336-5"),
+    return {first ? "H_2" : "H_1", say("the hardness is outside the range of ISO 6336-5"),
             say("{1} to {2}, or give sigma_Hlim and sigma_Flim", format_number(line.low), format_number(line.high))};
   }
-  return {first ? "quality_2" : "quality_1", say("ISO 6336-5 has no line of this quality for the material"),
+  return {first ? "quality_2" : "quality_1", say("ISO 6336-5 has no data of this quality for the material"),
           say("another quality, or sigma_Hlim and sigma_Flim")};
 }
 

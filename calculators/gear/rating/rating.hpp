@@ -143,7 +143,7 @@ S_Fmin = 1.4
       Field{&Input::l, "l", mm, "bearing span of the pinion shaft"}.positive().may_be_missing(),
       Field{&Input::s, "s", mm, "distance of the pinion from the middle of the span"}.positive().may_be_missing(),
       Field{&Input::d_sh, "d_sh", mm, "diameter of the pinion shaft"}.positive().may_be_missing(),
-      Choice{&Input::stiffening, "stiffening", "stiffening of the shaft by the pinion"}.may_be_missing(),
+      Choice{&Input::stiffening, "stiffening", "stiffening effect of the pinion"}.may_be_missing(),
       Choice{&Input::crowning, "crowning", "lead modification: crowning or end relief"}.may_be_missing(),
       Field{&Input::f_ma, "f_ma", um, "misalignment due to manufacturing deviations; omitted: by the grade"}
           .at_least(0)
@@ -248,7 +248,7 @@ S_Fmin = 1.4
       Rule<Input>{&has_strengths, "quality_1, quality_2, sigma_Hlim_1, sigma_Hlim_2, sigma_Flim_1, sigma_Flim_2",
                   "each gear needs quality and H, or sigma_Hlim and sigma_Flim", &missing_strength},
       Rule<Input>{&has_line, "material_1, material_2, quality_1, quality_2, H_1, H_2",
-                  "ISO 6336-5 has no line for this material, quality and hardness", &missing_line},
+                  "ISO 6336-5 has no data for this material, quality and hardness", &missing_line},
       Rule<Input>{&is_laid_out, "a_w, x_1, x_2, z_1, z_2, m_n, beta",
                   "the working pressure angle from a_w, or from x_1 and x_2, must exceed zero"},
       Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",

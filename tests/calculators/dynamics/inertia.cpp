@@ -31,7 +31,7 @@ TEST_SUITE("dynamics inertia") {
     CHECK(wheel("e_S") == 0.0);
   }
 
-  TEST_CASE("n equal parts at equal angles are that many parts at their places") {
+  TEST_CASE("n identical parts, equally spaced, are that many parts at their places") {
     const std::string bolt = "shape = \"cylinder\", D = \"20 mm\", h = \"50 mm\", m = \"120 g\"";
     const std::string eccentric = ", { shape = \"point\", m = \"1 kg\", x = \"30 mm\", y = \"-20 mm\", z = \"7 mm\" }";
     const SolvedStep one = body("{ " + bolt + ", x = \"80 mm\", z = \"5 mm\", n = 4 }" + eccentric);

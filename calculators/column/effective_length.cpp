@@ -55,6 +55,16 @@ Bar bar_of(const Input& in, const Result& r) {
   return bar;
 }
 
+/// What holds an end against rigid motion of the bar: across it, and against turning.
+struct Hold {
+  bool across = false, turning = false;
+};
+
+Hold hold_of(End end, Moment c, Stiffness k) {
+  if (end != End::elastic) return {rigid(end).across > 0.0, rigid(end).turning > 0.0};
+  return {!(k <= 0.0 * N_per_mm), c > 0.0 * N_m_per_rad};  // k omitted is rigid, c omitted a hinge
+}
+
 /// A mode above the first.
 template <class Tracer>
 void add_higher(const Input& in, Result& r, Tracer& trace) {
@@ -88,6 +98,23 @@ bool EffectiveLength::supports_inside(const Input& in) {
     before = support.x;
     return inside;
   });
+}
+
+/// A bar moves as a rigid body unless it is held across at one place, and at a second one or against turning. The
+/// joints of a frame hold it always.
+bool EffectiveLength::is_held(const Input& in) {
+  if (in.end_1 == End::unsaid || in.end_2 == End::unsaid) return true;  // another rule states it
+  const Hold first = hold_of(in.end_1, in.c_1, in.k_1), second = hold_of(in.end_2, in.c_2, in.k_2);
+  const std::size_t across = (first.across ? 1U : 0U) + (second.across ? 1U : 0U) + in.supports.size();
+  return across >= 2 || (across == 1 && (first.turning || second.turning));
+}
+
+/// The end that is held less.
+FieldFault EffectiveLength::loose_end(const Input& in) {
+  const Hold first = hold_of(in.end_1, in.c_1, in.k_1), second = hold_of(in.end_2, in.c_2, in.k_2);
+  const bool is_first = !first.across && second.across;
+  return {
+      is_first ? "end_1" : "end_2", {}, say("a fixed end holds it alone; or give pinned ends, springs or supports")};
 }
 
 template <class Tracer>

@@ -135,6 +135,8 @@ end_2 = "pinned"
   static bool ends_or_frame(const Input& in);
   static bool springs_fit_ends(const Input& in);
   static bool supports_inside(const Input& in);
+  static bool is_held(const Input& in);
+  static FieldFault loose_end(const Input& in);
 
   static constexpr std::array rules{
       Rule<Input>{&ends_or_frame, "end_1, end_2, G_1, G_2",
@@ -150,7 +152,9 @@ end_2 = "pinned"
                     return !elastic || (is_set(in.E) && is_set(in.I));
                   },
                   "end_1, end_2, E, I", "springs need E (or a material) and I of the bar"},
-      Rule<Input>{&supports_inside, "supports, l", "supports must lie between the ends, in order along the bar"}};
+      Rule<Input>{&supports_inside, "supports, l", "supports must lie between the ends, in order along the bar"},
+      Rule<Input>{&is_held, "end_1, end_2, c_1, c_2, k_1, k_2, supports", "this bar is a mechanism: hold an end",
+                  &loose_end}};
   static constexpr std::array meanings{Meaning{"beta", factor_of_first_mode}, Meaning{"beta_n", factor_of_higher_mode}};
   static constexpr std::array modes{
       Mode<Input>{"held", "kinematic stability of the supports", &always<Input>}.judged_by("u").of_shape()};

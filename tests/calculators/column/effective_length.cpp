@@ -158,8 +158,33 @@ TEST_SUITE("column effective length") {
       in.end_1 = first, in.end_2 = second;
       CHECK(std::isnan(solve(in).beta));
     }
-    CHECK(complaints("calculator = \"column.effective_length\"\nl = \"1 m\"\nend_1 = \"pinned\"\nend_2 = \"free\"\n")
-              .empty());
+  }
+
+  TEST_CASE("a bar that moves as a rigid body is refused, and held ones are not") {
+    const auto refuses = [](const std::string& lines) {
+      const std::string bar = "calculator = \"column.effective_length\"\nl = \"1 m\"\nE = \"210 GPa\"\n";
+      return complaints(bar + "I = \"1 cm^4\"\n" + lines).find("this bar is a mechanism: hold an end") !=
+             std::string::npos;
+    };
+    const auto ends = [](const std::string& first, const std::string& second) {
+      return "end_1 = \"" + first + "\"\nend_2 = \"" + second + "\"\n";
+    };
+    for (const auto& [first, second] :
+         {std::pair{"free", "pinned"}, std::pair{"pinned", "free"}, std::pair{"free", "free"},
+          std::pair{"free", "guided"}, std::pair{"guided", "guided"}}) {
+      CHECK(refuses(ends(first, second)));
+    }
+    CHECK(refuses(ends("elastic", "free") + "c_1 = \"0 N*m/rad\"\n"));
+    CHECK(refuses(ends("elastic", "guided") + "k_1 = \"0 N/mm\"\n"));
+    CHECK(refuses(ends("free", "free") + "supports = [[\"500 mm\"]]\n"));
+    for (const auto& [first, second] : {std::pair{"fixed", "free"}, std::pair{"pinned", "guided"},
+                                        std::pair{"pinned", "pinned"}, std::pair{"fixed", "guided"}})
+      CHECK(!refuses(ends(first, second)));
+    CHECK(!refuses(ends("elastic", "free") + "c_1 = \"1 kN*m/rad\"\n"));
+    CHECK(!refuses(ends("pinned", "elastic") + "k_2 = \"1 N/mm\"\n"));
+    CHECK(!refuses(ends("pinned", "free") + "supports = [[\"500 mm\"]]\n"));
+    CHECK(!refuses(ends("guided", "guided") + "supports = [[\"500 mm\"]]\n"));
+    CHECK(!refuses(ends("free", "free") + "supports = [[\"200 mm\"], [\"500 mm\"]]\n"));
   }
 
   TEST_CASE("springs need E (or a material) and I of the bar") {

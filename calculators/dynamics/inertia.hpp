@@ -3,7 +3,7 @@
 // Decides nothing: J is for calculators that take a moment of inertia. The bodies are homogeneous; x, y, z is the
 // position of the centre of mass of each, z along the axis. A hole counts negative. n identical parts are equally
 // spaced about the axis. Bodies of revolution may be inclined by beta; a cuboid is parallel to the axes. Source: [B36]
-// for the definition, [Wikibooks-Solids] for the bodies. Not covered: products of inertia, and whether parts overlap.
+// for the definition, [Wikibooks-Solids] for the bodies. Not covered: products of inertia, and whether solid parts overlap.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -138,11 +138,15 @@ parts = [
   static bool parts_are_complete(const Input& in);
   static FieldFault incomplete(const Input& in);
   static bool holes_fit(const Input& in);
+  static bool holes_lie_inside(const Input& in);
+  static FieldFault misplaced_hole(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{&parts_are_complete, "parts, rho",
                   "each part needs the sizes of its shape, and m or a density; no other sizes", &incomplete},
       Rule<Input>{&holes_fit, "parts",
-                  "the holes remove more than the other parts have: check their sizes and positions"}};
+                  "the holes remove more than the other parts have: check their sizes and positions"},
+      Rule<Input>{&holes_lie_inside, "parts", "holes must lie within the solid parts and must not overlap on a circle",
+                  &misplaced_hole}};
 
   static constexpr std::array<Mode<Input>, 0> modes{};
 

@@ -121,4 +121,36 @@ TEST_SUITE("dynamics inertia") {
         {"parts = []\n", "is empty"}};
     check_refusals("dynamics.inertia", rows);
   }
+
+  TEST_CASE("holes outside the material, too long or overlapping are refused with their numbers") {
+    const std::string wheel =
+        "rho = \"7200 kg/m^3\"\nparts = [{ shape = \"cylinder\", D = \"700 mm\", d_i = \"100 mm\", h = \"10 mm\" }, "
+        "{ shape = \"cylinder\", D = \"100 mm\", d_i = \"40 mm\", h = \"60 mm\" }, "
+        "{ name = \"bore\", shape = \"cylinder\", as = \"hole\", ";
+    const auto fault = [&](const std::string& hole) {
+      return SolvedStep("dynamics.inertia", wheel + hole + " }]\n").fault();
+    };
+    const std::string deep = fault("D = \"20 mm\", h = \"30 mm\", x = \"240 mm\", n = 6");
+    CHECK(contains(deep, "the hole 'bore' is 30 mm long along the axis, the solid parts there only 10 mm"));
+    CHECK(contains(fault("D = \"20 mm\", h = \"10 mm\", x = \"900 mm\""), "reaches 910 mm from the axis"));
+    CHECK(contains(fault("D = \"20 mm\", h = \"10 mm\", x = \"345 mm\""), "the solid parts only 350 mm"));
+    CHECK(contains(fault("D = \"10 mm\", h = \"10 mm\""), "meets no solid part at 0 mm from the axis"));
+    // 480 mm sin(pi/60) = 25.1212 mm
+    const std::string crowded = fault("D = \"120 mm\", h = \"10 mm\", x = \"240 mm\", n = 60");
+    CHECK(contains(crowded, "60 holes 'bore' of 120 mm overlap: at 240 mm from the axis each has 25.12"));
+    CHECK(fault("D = \"25.1 mm\", h = \"10 mm\", x = \"240 mm\", n = 60").empty());
+    CHECK(fault("D = \"220 mm\", h = \"10 mm\", x = \"240 mm\", n = 2").empty());
+    CHECK(fault("D = \"20 mm\", h = \"60 mm\", x = \"35 mm\"").empty());
+    CHECK(contains(fault("D = \"120 mm\", h = \"10 mm\", n = 2"), "overlap"));
+  }
+
+  TEST_CASE("a hole through parts one behind the other, and one in a body of unknown size") {
+    const std::string hole = "{ shape = \"cylinder\", as = \"hole\", D = \"20 mm\", h = \"50 mm\", m = \"10 g\" }";
+    const std::string disc = "{ shape = \"cylinder\", D = \"90 mm\", h = \"30 mm\", m = \"1 kg\" }, ";
+    const std::string next = "{ shape = \"cylinder\", D = \"60 mm\", h = \"20 mm\", m = \"1 kg\", z = \"25 mm\" }, ";
+    CHECK(body(disc + next + hole).fault().empty());
+    CHECK(contains(body(disc + hole).fault(), "parts[2]"));
+    CHECK(body("{ shape = \"other\", m = \"1 kg\", J_c = \"1 kg*m^2\" }, " + hole).fault().empty());
+    CHECK(body("{ shape = \"cylinder\", D = \"90 mm\", m = \"1 kg\" }, " + hole).fault().empty());
+  }
 }

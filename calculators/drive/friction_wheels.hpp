@@ -216,7 +216,10 @@ q_adm = "30 N/mm"
       Rule<Input>{[](const Input& in) { return is_set(in.E_1) == is_set(in.E_2); }, "E_1, E_2",
                   "give the modulus of elasticity of both wheels"},
       Rule<Input>{[](const Input& in) { return !is_set(in.p_adm) || is_set(in.E_1); }, "p_adm, E_1, E_2",
-                  "the Hertzian pressure needs E_1 and E_2; soft rims are compared by their line load q_adm"}};
+                  "the Hertzian pressure needs E_1 and E_2; soft rims are compared by their line load q_adm"},
+      // It does not name b: it is asked before the search, where only a searched b is missing.
+      Rule<Input>{[](const Input& in) { return is_set(in.b) || is_set(in.q_adm) || is_set(in.p_adm); }, "q_adm, p_adm",
+                  "without b, the search for it needs a limit: give q_adm of soft rims, or p_adm with E_1 and E_2"}};
 
   static constexpr bool turns = true;
   static constexpr std::array meanings{Meaning{"P", "mean"}};

@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "tests/calculators/evaluated.hpp"
+#include "tests/calculators/motion/solved.hpp"
 
 #include <doctest/doctest.h>
 
@@ -177,5 +178,19 @@ TEST_SUITE("friction wheels") {
     says(sizes + load + "mu = 0.2\np_adm = \"400 MPa\"\n", "the Hertzian pressure needs E_1 and E_2");
     says(sizes + load + "mu = 0.2\nshape = \"bevel\"\nSigma = \"140 deg\"\n", "a wheel would be a disc or a ring");
     says(sizes + "mu = 0.2\n", "give either P or T_1");
+  }
+
+  TEST_CASE("a contact length is searched for by a limit of the contact only") {
+    const auto fault = [](const std::string& lines) {
+      return test::SolvedStep("drive.friction_wheels",
+                              "n_1 = \"600 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"500 mm\"\nT_1 = \"30 N*m\"\n"
+                              "mu = 0.2\n" +
+                                  lines)
+          .fault();
+    };
+    CHECK(test::contains(fault("b = \"?\"\n"), "give q_adm of soft rims, or p_adm with E_1 and E_2"));
+    CHECK(fault("b = \"?\"\nq_adm = \"30 N/mm\"\n").empty());
+    CHECK(fault("b = \"60 mm\"\n").empty());
+    CHECK(test::contains(fault("q_adm = \"30 N/mm\"\n"), "'b' is missing"));
   }
 }

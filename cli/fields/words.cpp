@@ -24,7 +24,7 @@ std::string words_of(const FieldInfo& field) {
 }
 
 std::string default_of(const FieldInfo& field, void* owner) {
-  if (*field.searched_in != '\0') return std::string("searched in ") + field.searched_in;
+  if (field.sought_unasked) return std::string("searched in ") + field.searched_in;
   if (field.provider.kind == Provider::Kind::table) return std::string("from ") + field.provider.table;
   if (field.provider.kind == Provider::Kind::companion) return std::string("linked with ") + field.provider.column;
   if (field.type == Type::choice) {

@@ -59,7 +59,7 @@ void write_field(const FieldInfo& field, void* owner, JsonWriter& out) {
   out.member("meaning", field.doc);
   if (*field.also_called != '\0') out.member("also", field.also_called);
   if (field.role == Role::input && field.type != Type::record) {
-    const bool filled = field.optional || field.provider.kind != Provider::Kind::none || *field.searched_in != '\0' ||
+    const bool filled = field.optional || field.provider.kind != Provider::Kind::none || field.sought_unasked ||
                         (field.is_number() && !is_missing(field, owner)) || field.type == Type::choice;
     out.member("required", !filled);
     write_default(field, owner, out);

@@ -3,7 +3,8 @@
 // Decides nothing: J is for calculators that take a moment of inertia. The bodies are homogeneous; x, y, z is the
 // position of the centre of mass of each, z along the axis. A hole counts negative. n identical parts are equally
 // spaced about the axis. Bodies of revolution may be inclined by beta; a cuboid is parallel to the axes. Source: [B36]
-// for the definition, [Wikibooks-Solids] for the bodies. Not covered: products of inertia, and whether solid parts overlap.
+// for the definition, [Wikibooks-Solids] for the bodies. Not covered: products of inertia, and whether solid parts
+// overlap.
 #pragma once
 
 #include "lib/calculator/field.hpp"

@@ -1,8 +1,8 @@
 #include "lib/report/appendix.hpp"
 
 #include "lib/quantity/format.hpp"
-#include "lib/report/repeated.hpp"
 #include "lib/report/numbers/numbers.hpp"
+#include "lib/report/repeated.hpp"
 #include "lib/report/why.hpp"
 #include "lib/table/library.hpp"
 #include "lib/table/table.hpp"

@@ -1,4 +1,4 @@
-#include "calculators/dynamics/inertia.hpp"
+#include "calculators/dynamics/inertia/inertia.hpp"
 
 #include <algorithm>
 #include <array>

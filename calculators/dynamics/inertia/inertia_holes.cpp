@@ -1,6 +1,6 @@
 // Whether holes are where there is material: the bodies are compared by their extents about and along the axis z. An
 // extent that is not certain is taken so that a hole passes.
-#include "calculators/dynamics/inertia.hpp"
+#include "calculators/dynamics/inertia/inertia.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "calculators/dynamics/inertia.hpp"
+#include "calculators/dynamics/inertia/inertia.hpp"
 
 #include "calculators/motion/laws.hpp"
 #include "lib/calculator/calculator_of.hpp"

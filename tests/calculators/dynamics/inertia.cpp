@@ -137,7 +137,7 @@ TEST_SUITE("dynamics inertia") {
     CHECK(contains(fault("D = \"10 mm\", h = \"10 mm\""), "meets no solid part at 0 mm from the axis"));
     // 480 mm sin(pi/20) = 75.0885 mm
     const std::string crowded = fault("D = \"120 mm\", h = \"10 mm\", x = \"240 mm\", n = 20");
-    CHECK(contains(crowded, "20 holes 'bore' of 120 mm overlap: at 240 mm from the axis each has 75.09"));
+    CHECK(contains(crowded, "20 holes 'bore' of 120 mm overlap: at 240 mm from the axis each has 75.0885"));
     CHECK(fault("D = \"25.1 mm\", h = \"10 mm\", x = \"240 mm\", n = 60").empty());
     CHECK(fault("D = \"220 mm\", h = \"10 mm\", x = \"240 mm\", n = 2").empty());
     CHECK(fault("D = \"20 mm\", h = \"60 mm\", x = \"35 mm\"").empty());

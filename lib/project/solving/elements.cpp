@@ -56,7 +56,7 @@ bool assesses(const Step& judge, const Elements& all, std::size_t i) {
     for (const auto& reference : operand.expression.references()) {
       const std::string& path = reference.path;
       takes_size = takes_size || path.starts_with(name) || path.starts_with(number);
-      const bool is_whole = path.starts_with(whole) && path.find_first_of(".[", whole.size()) == path.npos &&
+      const bool is_whole = path.starts_with(whole) && path.find_first_of(".[", whole.size()) == std::string::npos &&
                             is_of_end(all, path.substr(whole.size()), i);
       if (!is_whole && !path.starts_with(before) && !path.starts_with(behind)) continue;
       const auto signature = all.part.signature(path.substr(whole.size()));

@@ -63,6 +63,7 @@ std::string wide_cell(const Cell& of, bool numeric, bool marked) {
 std::string close_part(const Table& table, const Part& part) {
   const auto& columns = part.columns;
   std::vector<bool> numeric;
+  numeric.reserve(columns.size());
   for (const Column& c : columns) numeric.push_back(c.numeric);
   const std::string_view numbers = numbers_of(numeric), finer = part.letters > close_letters ? "finer" : "";
   const bool marked = numbers.empty();

@@ -55,10 +55,15 @@ CandidateFault fault_of_limit(const std::string& path, const FieldInfo& limit, d
   return {say("{1} = {2}: {3}", path, format_quantity(si, limit.unit, 4), bound_message(limit, si)), path, si, unit};
 }
 
+/// The rows of the elements of lists, at every position.
+void visit_lists(Evaluation& evaluation, const Passing& passing, const EvaluatedRows::Visit& visit) {
+  const EvaluatedRows visited(evaluation, passing, visit);
+}
+
 /// The check in a list that is beyond 1 most, and beyond `most`; empty if none is.
 CandidateFault fault_of_lists(Evaluation& evaluation, const Passing& passing, double most) {
   CandidateFault worst;
-  EvaluatedRows(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
+  visit_lists(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
     if (row.field->role != Role::check || !numerics::exceeds(si, most)) return;
     most = si;
     worst = fault_of_check(path_of(evaluation, list, row), most);
@@ -69,7 +74,7 @@ CandidateFault fault_of_lists(Evaluation& evaluation, const Passing& passing, do
 /// The first limit in a list that is not kept, else why the first check there has no value; empty if there is none.
 CandidateFault fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
   CandidateFault outside, unknown;
-  EvaluatedRows(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
+  visit_lists(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
     const FieldInfo& f = *row.field;
     if (account::is_kept(f, si)) return;
     if (std::isnan(si) && unknown.text.empty()) unknown.text = say("{1} has no value", path_of(evaluation, list, row));

@@ -58,8 +58,9 @@ std::string shortened_label(std::string label, double room) {
   if (const std::size_t dot = name.rfind('.'); dot != std::string::npos && !fits(name + value, room))
     name.erase(0, dot + 1), mark = "…";
   if (fits(mark + name + value, room)) return mark + name + value;
-  while (!name.empty() && !fits(name + "…" + value, room)) drop_last_letter(name);
-  return name + "…" + value;
+  const std::string cut = "…" + value;
+  while (!name.empty() && !fits(name + cut, room)) drop_last_letter(name);
+  return name + cut;
 }
 
 struct Placed {

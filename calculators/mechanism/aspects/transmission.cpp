@@ -70,6 +70,7 @@ void judge_transmission(const Solved& solved, std::vector<account::Verdict>& ver
 /// The joints that have a transmission angle: "'B', 'D'".
 std::string inner_joints(const mechanism::Model& model, const std::vector<DyadClosing>& dyads) {
   std::vector<std::size_t> joints;
+  joints.reserve(dyads.size());
   for (const DyadClosing& dyad : dyads) joints.push_back(dyad.joint);
   return mechanism::names_of(model.joints, joints);
 }

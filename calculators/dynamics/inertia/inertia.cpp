@@ -71,7 +71,7 @@ MassMoment inclined(const Sizes& s, MassMoment own, MassMoment across, Tracer& t
 
 template <class Tracer>
 MassMoment of_cylinder(const Sizes& s, Mass mass, Tracer& trace) {
-  const Mass m = mass;
+  const Mass& m = mass;
   STEP(J_a, m * (pow<2>(s.D) + pow<2>(s.d_i)) / 8.0, "about its own axis, [Wikibooks-Solids]");
   if (s.beta == 0.0) return trace.value("J_c", J_a, "its own axis is parallel to z");
   STEP(J_t, J_a / 2.0 + m * pow<2>(s.h) / 12.0, "across its axis, through its centre, [Wikibooks-Solids]");
@@ -80,7 +80,7 @@ MassMoment of_cylinder(const Sizes& s, Mass mass, Tracer& trace) {
 
 template <class Tracer>
 MassMoment of_cone(const Sizes& s, Mass mass, Tracer& trace) {
-  const Mass m = mass;
+  const Mass& m = mass;
   STEP(J_a, 3.0 / 40.0 * m * pow<2>(s.D), "about its own axis, [Wikibooks-Solids]");
   if (s.beta == 0.0) return trace.value("J_c", J_a, "its own axis is parallel to z");
   STEP(J_t, 3.0 / 80.0 * m * (pow<2>(s.D) + pow<2>(s.h)), "across its axis, through its centre, [Wikibooks-Solids]");
@@ -90,7 +90,7 @@ MassMoment of_cone(const Sizes& s, Mass mass, Tracer& trace) {
 /// A sphere less its cavity; the common factor D - d_i is divided out, so that a thin shell has a value too.
 template <class Tracer>
 MassMoment of_sphere(const Sizes& s, Mass mass, Tracer& trace) {
-  const Mass m = mass;
+  const Mass& m = mass;
   STEP(q, s.d_i / s.D, "inner over outer diameter");
   return NAMED_STEP("J_c",
                     m * pow<2>(s.D) / 10.0 * (1.0 + q + pow<2>(q) + pow<3>(q) + pow<4>(q)) / (1.0 + q + pow<2>(q)),
@@ -99,7 +99,7 @@ MassMoment of_sphere(const Sizes& s, Mass mass, Tracer& trace) {
 
 template <class Tracer>
 MassMoment own_moment(const Part& p, const Sizes& s, Mass mass, Tracer& trace) {
-  const Mass m = mass;
+  const Mass& m = mass;
   switch (p.shape) {
     case Shape::cylinder:
     case Shape::rod:

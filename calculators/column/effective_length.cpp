@@ -113,8 +113,7 @@ bool EffectiveLength::is_held(const Input& in) {
 FieldFault EffectiveLength::loose_end(const Input& in) {
   const Hold first = hold_of(in.end_1, in.c_1, in.k_1), second = hold_of(in.end_2, in.c_2, in.k_2);
   const bool is_first = !first.across && second.across;
-  return {
-      is_first ? "end_1" : "end_2", {}, say("a fixed end is enough; or give pinned ends, springs or supports")};
+  return {is_first ? "end_1" : "end_2", {}, say("a fixed end is enough; or give pinned ends, springs or supports")};
 }
 
 template <class Tracer>

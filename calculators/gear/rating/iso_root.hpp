@@ -1,54 +1,15 @@
-// Form, rim and permissible root stress of [ISO6336-3], edition 2006, method B, as restated in [IACS-M56]; the fillet
-// is that of [DIN3990-3] too.
+// Form, rim and permissible root stress of [ISO6336-3], edition 2006, method B, as restated in [IACS-M56].
 #pragma once
 
 #include "calculators/gear/rating/iso_flank.hpp"
+#include "calculators/gear/rating/root_form.hpp"
 
 namespace loadpath::gear::rating {
 
-struct Form {
-  double Y_F = unset<double>, Y_S = unset<double>, q_s = unset<double>;
-};
-
-/// The fillet at the point whose tangent leans by 30 degrees, in modules.
-struct RootFillet {
-  double z_n, G, theta, s_Fn, rho_F;
-};
-
-/// The angle of the point of the fillet whose tangent leans by 30 degrees: theta = 2 G/z_n tan(theta) - H.
-inline double fillet_angle(double G, double H, double z_n) {
-  double theta = pi / 6.0;
-  for (int i = 0; i < 60; ++i) {
-    const double f = theta - 2.0 * G / z_n * std::tan(theta) + H;
-    const double slope = 1.0 - 2.0 * G / z_n / (std::cos(theta) * std::cos(theta));
-    theta -= f / slope;
-  }
-  return theta;
-}
-
-template <class Tracer>
-RootFillet fillet_of(const Input& in, const PairResult& g, const Wheel& wheel, Tracer& trace) {
-  const double z = trace.value("z", wheel.z, "teeth of this gear"), x = trace.value("x", wheel.x, "its profile shift");
-  trace.value("d", wheel.d, "reference circle"), trace.value("d_a", wheel.d_a, "tip circle");
-  const double beta_b = trace.angle("beta_b", std::acos(cos_of_base_helix(in, g)), "base helix angle");
-  STEP(z_n, z / (pow<2>(cos(beta_b)) * cos(in.beta)), "teeth of the virtual spur gear");
-  STEP(E, pi / 4.0 - in.h_fP * tan(in.alpha_n) - (1.0 - sin(in.alpha_n)) * in.rho_fP / cos(in.alpha_n),
-       "auxiliary value, in modules");
-  STEP(G, in.rho_fP - in.h_fP + x, "auxiliary value");
-  STEP(H, 2.0 / z_n * (pi / 2.0 - E) - pi / 3.0, "auxiliary value");
-  const double theta = trace.angle("theta", fillet_angle(G, H, z_n), "root of theta = 2 G/z_n tan(theta) - H");
-  STEP(s_Fn, z_n * sin(pi / 3.0 - theta) + sqrt(3.0) * (G / cos(theta) - in.rho_fP),
-       "chord of the root at the 30 degree tangent, in modules");
-  STEP(rho_F, in.rho_fP + 2.0 * G * G / (cos(theta) * (z_n * pow<2>(cos(theta)) - 2.0 * G)),
-       "radius of the fillet there, in modules");
-  return {z_n, G, theta, s_Fn, rho_F};
-}
-
-/// Form factor and stress correction of a load at the outer point of single pair contact, which needs no Y_eps.
+/// The load at the outer point of single pair contact, which needs no Y_eps.
 template <class Tracer>
 Form form_of_iso(const Input& in, const PairResult& g, const Wheel& wheel, const RootFillet& fillet, Tracer& trace) {
-  const double x = wheel.x, z_n = fillet.z_n, G = fillet.G, theta = fillet.theta, s_Fn = fillet.s_Fn;
-  const double rho_F = fillet.rho_F;
+  const double z_n = fillet.z_n;
   const Length d = wheel.d, d_a = wheel.d_a;
   const double eps_alpha = trace.value("eps_alpha", g.eps_alpha, "transverse contact ratio");
   const double beta_b = trace.angle("beta_b", std::acos(cos_of_base_helix(in, g)), "base helix angle");
@@ -58,24 +19,9 @@ Form form_of_iso(const Input& in, const PairResult& g, const Wheel& wheel, const
   STEP(t_en, sqrt(pow<2>(d_an / 2.0) - pow<2>(d_bn / 2.0)) - pi * cos(in.alpha_n) * (eps_an - 1.0),
        "radius of the flank at the outer point of single pair contact, in modules");
   STEP(d_en, 2.0 * sqrt(pow<2>(t_en) + pow<2>(d_bn / 2.0)), "circle of that point, [ISO6336-3] 2006, 6.2");
-  STEP(alpha_en, acos(d_bn / d_en), "pressure angle there");
-  STEP(gamma_e, (pi / 2.0 + 2.0 * x * tan(in.alpha_n)) / z_n + tan(in.alpha_n) - in.alpha_n - tan(alpha_en) + alpha_en,
-       "half of the thickness angle there");
-  STEP(alpha_Fen, alpha_en - gamma_e, "direction of the load");
-  STEP(h_Fe,
-       ((cos(gamma_e) - sin(gamma_e) * tan(alpha_Fen)) * d_en - z_n * cos(pi / 3.0 - theta) - G / cos(theta) +
-        in.rho_fP) /
-           2.0,
-       "bending arm, in modules");
-  Form form;
-  STEP(Y_F, 6.0 * h_Fe * cos(alpha_Fen) / (pow<2>(s_Fn) * cos(in.alpha_n)), "form factor, [ISO6336-3] 2006, clause 6");
-  form.Y_F = trace.value(wheel.symbols.Y_F, Y_F, "of this gear");
-  STEP(L_e, s_Fn / h_Fe, "chord over arm");
-  STEP(q_s, s_Fn / (2.0 * rho_F), "notch parameter");
-  form.q_s = q_s;
-  STEP(Y_S, (1.2 + 0.13 * L_e) * pow(q_s, 1.0 / (1.21 + 2.3 / L_e)),
-       "stress correction factor, [ISO6336-3] 2006, clause 7");
-  form.Y_S = trace.value(wheel.symbols.Y_S, Y_S, "of this gear");
+  Form form = form_at(in, wheel, fillet, d_en, trace);
+  form.Y_F = trace.value(wheel.symbols.Y_F, form.Y_F, "of this gear, [ISO6336-3] 2006, clause 6");
+  form.Y_S = trace.value(wheel.symbols.Y_S, form.Y_S, "of this gear, [ISO6336-3] 2006, clause 7");
   return form;
 }
 

@@ -6,32 +6,15 @@
 
 namespace loadpath::gear::rating {
 
-/// Form factor and stress correction of a load at the tip, of the spur gear with the same normal section.
+/// The load at the tip.
 template <class Tracer>
 Form form_of_din(const Input& in, const Wheel& wheel, const RootFillet& fillet, Tracer& trace) {
-  const double x = wheel.x, z_n = fillet.z_n, G = fillet.G, theta = fillet.theta, s_Fn = fillet.s_Fn;
-  const double rho_F = fillet.rho_F;
+  const double z_n = fillet.z_n;
   const Length d = wheel.d, d_a = wheel.d_a;
   STEP(d_an, z_n + (d_a - d) / in.m_n, "tip circle of the virtual gear, in modules");
-  STEP(alpha_an, acos(z_n * cos(in.alpha_n) / d_an), "pressure angle at its tip");
-  STEP(gamma_a, (pi / 2.0 + 2.0 * x * tan(in.alpha_n)) / z_n + tan(in.alpha_n) - in.alpha_n - tan(alpha_an) + alpha_an,
-       "half of the tip thickness angle");
-  STEP(alpha_Fan, alpha_an - gamma_a, "direction of the load at the tip");
-  STEP(h_Fa,
-       ((cos(gamma_a) - sin(gamma_a) * tan(alpha_Fan)) * d_an - z_n * cos(pi / 3.0 - theta) - G / cos(theta) +
-        in.rho_fP) /
-           2.0,
-       "bending arm, in modules");
-  Form form;
-  STEP(Y_Fa, 6.0 * h_Fa * cos(alpha_Fan) / (pow<2>(s_Fn) * cos(in.alpha_n)), "form factor, load at the tip");
-  form.Y_F = trace.value(wheel.symbols.Y_Fa, Y_Fa, "of this gear");
-  STEP(L_a, s_Fn / h_Fa, "chord over arm");
-  STEP(q_s, s_Fn / (2.0 * rho_F), "notch parameter");
-  form.q_s = q_s;
-  STEP(e_S, 1.0 / (1.21 + 2.3 / L_a), "exponent");
-  const double Y_Sa = trace.value("Y_Sa", (1.2 + 0.13 * L_a) * std::pow(q_s, e_S),
-                                  "stress correction factor, (1.2 + 0.13 L_a) q_s^e_S");
-  form.Y_S = trace.value(wheel.symbols.Y_Sa, Y_Sa, "of this gear");
+  Form form = form_at(in, wheel, fillet, trace.value("d_en", d_an, "circle of the load: the tip"), trace);
+  form.Y_F = trace.value(wheel.symbols.Y_Fa, form.Y_F, "of this gear, load at the tip");
+  form.Y_S = trace.value(wheel.symbols.Y_Sa, form.Y_S, "of this gear, load at the tip");
   return form;
 }
 

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "calculators/vessel/membrane.hpp"
+#include "lib/quantity/gravity.hpp"
 
 namespace loadpath::vessel {
 
-inline constexpr Acceleration gravity = 9.80665 * m_per_s2;  // standard value, CGPM 1901
+inline constexpr Acceleration gravity = standard_gravity * m_per_s2;
 
 /// At the height z above the lowest place; zero above the surface.
 template <class Tracer>

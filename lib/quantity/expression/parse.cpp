@@ -1,5 +1,6 @@
 #include "lib/quantity/expression/parser.hpp"
 #include "lib/quantity/expression/scan.hpp"
+#include "lib/quantity/gravity.hpp"
 #include "lib/quantity/literal.hpp"
 #include "lib/quantity/unit.hpp"
 
@@ -152,7 +153,7 @@ Node Parser::name() {
   if (is_among(variables_, word)) return reference(end);
   if (word == "pi") return constant(std::numbers::pi, {}, end);
   if (word == "rev") return constant(2.0 * std::numbers::pi, Dimension::of(0, 0, 0, 0, 1), end);
-  if (word == "g") return constant(9.80665, Dimension::of(1, 0, -2), end);  // standard acceleration, CGPM 1901
+  if (word == "g") return constant(standard_gravity, Dimension::of(1, 0, -2), end);
   fail_bare_name(end);
   return {};
 }

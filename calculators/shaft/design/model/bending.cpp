@@ -3,6 +3,7 @@
 #include "calculators/shaft/design/model/places.hpp"
 #include "calculators/shaft/design/model/positions.hpp"
 #include "lib/numerics/magnitude.hpp"
+#include "lib/quantity/gravity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace {
 
 using Input = DesignInput;
 
-constexpr double g_n = 9.80665;  // standard gravity, m/s^2
 constexpr double finest = 1e-6;  // share of the length: closer places are one
 constexpr double parts = 120.0;  // parts of the length, at least: deflection and masses between the places
 
@@ -66,7 +66,7 @@ enum class Plane { X, Y };
 beam::Bent bent(const Input& in, const Elastic& elastic, Plane plane, std::size_t position) {
   const Stations& stations = elastic.stations;
   const Direction down(is_set(in.g_angle) ? in.g_angle : 0.0);
-  const double gravity = !is_set(in.g_angle) ? 0.0 : g_n * (plane == Plane::X ? down.c : down.s);
+  const double gravity = !is_set(in.g_angle) ? 0.0 : standard_gravity * (plane == Plane::X ? down.c : down.s);
   List<beam::Load, most_seats> loads;
   for (const Seat& seat : in.seats) {
     const Direction way(seat.angle);

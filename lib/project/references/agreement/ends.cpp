@@ -2,6 +2,7 @@
 
 #include "lib/project/references/origins.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/quantity/gravity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,9 +55,9 @@ void compare_radius(const Step& end, const Project& project, std::vector<Reduced
 
 /// The pressure of the test at the lowest point, under a column of water.
 double test_pressure(const Step& step, const Project& project) {
-  constexpr double g = 9.80665, water = 1000.0;
+  constexpr double water = 1000.0;  // kg/m^3
   const double h_t = own_value(step, project, "h_t");
-  return own_value(step, project, "p_t") + (std::isnan(h_t) ? 0.0 : g * water * h_t);
+  return own_value(step, project, "p_t") + (std::isnan(h_t) ? 0.0 : standard_gravity * water * h_t);
 }
 
 /// An end with less water at the test than its shell.

@@ -4,6 +4,7 @@
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/quantity/gravity.hpp"
 #include "lib/table/largest.hpp"
 #include "lib/table/tables.hpp"
 
@@ -123,12 +124,11 @@ void compare_end_in_vacuum(const Step& step, const Project& project, std::vector
 /// A wall without the liquid of another one of its vessel: the same [values] give their pressure, or it takes the
 /// record of that shell.
 void compare_liquid(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
-  constexpr double g = 9.80665;
   const auto& own = step.input().reading;
   const auto typed = own.typed.find("p");
   if (typed == own.typed.end()) return;
   const auto pressure_at_bottom = [&](const Step& wall) {
-    const double head = g * own_value(wall, project, "rho") * own_value(wall, project, "h_l");
+    const double head = standard_gravity * own_value(wall, project, "rho") * own_value(wall, project, "h_l");
     return own_value(wall, project, "p") + (std::isnan(head) ? 0.0 : head);
   };
   const bool may_hold_liquid = find_field(step.input().calculator->input->fields, "rho") != nullptr;

@@ -65,6 +65,8 @@ constexpr auto rules_of_sides() {
                     Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); },
                                 "p_adm_2, R_e_2", "give p_adm_2 or R_e_2, not both"},
                     safety_has_strength<Input>(),
+                    Rule<Input>{[](const Input& in) { return !(abs(in.T_max) < abs(in.T)); }, "T_max, T",
+                                "the peak torque T_max must not be below T"},
                     Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; },
                                 "f_W, torque", "f_W requires a reversing torque: torque = \"reversing\""}};
 }

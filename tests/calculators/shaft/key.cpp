@@ -112,6 +112,8 @@ TEST_SUITE("key") {
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nb = \"14 mm\"\nh = \"5 mm\"\nt_1 = \"5.5 mm\"\n",
                "must be less than key height h");
     check_says("d = \"10 mm\"\nl = \"70 mm\"\nkey = \"14x9\"\n", "must be less than d/2");
+    check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x9\"\nT_max = \"-90 N*m\"\n",
+               "the peak torque T_max must not be below T");
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x9\"\nR_e_2 = \"300 MPa\"\np_adm_2 = \"100 MPa\"\n",
                "not both");
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x9\"\ni = 3\n", "k.i: ");

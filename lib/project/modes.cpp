@@ -228,18 +228,15 @@ void leave_out_of_scope(const ModeInfo& left, const Step& part, account::Mode& m
   mode.judge.clear(), mode.note = {}, mode.is_assessable = false;
 }
 
-/// Whether a mode waits for the reason of an input that goes with the record: a step that takes this assesses the same
-/// load, or the same size, which nobody has confirmed.
+/// Whether a mode waits for the reason of a load, or of a size that goes with the record.
 bool is_contested(const account::Mode& mode, const ModeInfo& left, const Step& part) {
   constexpr std::string_view because = "because.";
   if (!mode.wants.starts_with(because)) return false;
   const std::string key = mode.wants.substr(because.size());
-  const FieldInfo* const field = find_field(part.input().calculator->input->fields, key);
-  if (field != nullptr && field->is_load) return true;
-  const auto taken = listed_keys(left.taken);
-  return std::any_of(taken.begin(), taken.end(), [&](const std::string& record) {
-    const auto members = part.members(record.substr(0, record.find('.')));
-    return std::any_of(members.begin(), members.end(), [&](const Member& m) { return m.key == key; });
+  if (const auto* const field = find_field(part.input().calculator->input->fields, key); field && field->is_load)
+    return true;
+  return std::ranges::any_of(listed_keys(left.taken), [&](const std::string& record) {
+    return std::ranges::count(part.members(record.substr(0, record.find('.'))), key, &Member::key) != 0;
   });
 }
 

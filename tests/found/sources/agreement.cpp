@@ -112,7 +112,7 @@ TEST_SUITE("found disagreements") {
     CHECK(how(cone_on_shell("300 mm", "because.R = \"on the nozzle\"\n"), "cone", "strength") == "pass");
   }
 
-  TEST_CASE("the ends of a shell are tested under the water that stands in it") {
+  TEST_CASE("the ends of a shell are tested under its head of water") {
     const std::string vessel = example("pressure-vessel");
     CHECK(how(vessel, "ends", "strength") == "pass");
     const std::string dry = in_place_of(vessel, "h_t = \"=shell.h_t\"", "h_t = \"0 m\"");

@@ -108,6 +108,8 @@ TEST_SUITE("found places on shafts") {
     CHECK(std::abs(set_at_20.mode("shaft.fatigue").utilisation.value_or(0.0) - 1.37) < 0.01);  // found by attack: 1.37
     CHECK(set_at_55.mode("shaft.fatigue").state == account::State::fail);
     refuses_shaft(keyed_shaft("x = \"100 mm\", part = \"=key.notch\""), "the nearest component is at ");
+    refuses_shaft(keyed_shaft("x = \"45 mm\", part = \"=key.notch\""),
+                  "a key from -5 mm to 45 mm reaches beyond the shaft");
     refuses_shaft(keyed_shaft("x = \"20 mm\", kind = \"keyway\""), "the shaft carries no torque at 20 mm");
     CHECK(Solved(keyed_shaft("x = \"55 mm\", kind = \"keyway\"")).errors().empty());
     refuses_shaft(keyed_shaft("x = \"40 mm\", part = \"=key.notch\"",

@@ -112,7 +112,7 @@ TEST_SUITE("found places on shafts") {
                   "a key from -5 mm to 45 mm reaches beyond the shaft");
     refuses_shaft(keyed_shaft("x = \"20 mm\", kind = \"keyway\""), "the shaft carries no torque at 20 mm");
     CHECK(Solved(keyed_shaft("x = \"55 mm\", kind = \"keyway\"")).errors().empty());
-    refuses_shaft(keyed_shaft("x = \"40 mm\", part = \"=key.notch\"",
+    refuses_shaft(keyed_shaft("x = \"54 mm\", part = \"=key.notch\"",
                               R"({ l = "20 mm", d = "32 mm" }, { l = "280 mm", d = "32.0 mm", d_bore = "2 mm" })"),
                   "does not lie within one piece");
     refuses_shaft(keyed_shaft("x = \"55 mm\", kind = \"groove\", r = \"1 mm\", t = \"1 mm\", l = \"20 mm\""),

@@ -218,10 +218,10 @@ Message fault_of_place(const Input& in, const Notched& notch) {
   if (!is_set(end)) return fault_of_key_beside(in, notch);
   const Length aside = 10.0 * one_place * length_of(in), low = min(notch.x, end) + aside,
                high = max(notch.x, end) - aside;
-  if (low < 0.0 * mm || high > length_of(in))
+  if (low - aside < -one_place * length_of(in) || high + aside > (1.0 + one_place) * length_of(in))
     return say("a key from {1} to {2} reaches beyond the shaft, which ends at 0 mm and {3}", format(min(notch.x, end)),
                format(max(notch.x, end)), format(length_of(in)));
-  if (index_of_piece(in, low) != index_of_piece(in, min(high, length_of(in) - aside)))
+  if (index_of_piece(in, max(low, 0.0 * mm)) != index_of_piece(in, min(high, length_of(in) - aside)))
     return say("a key from {1} to {2} does not lie within one piece", format(min(notch.x, end)),
                format(max(notch.x, end)));
   return {};

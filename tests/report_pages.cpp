@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <string>
 #include <vector>
@@ -54,6 +55,13 @@ project::Project solved(const std::string& name, const std::string& more = {}, c
   project::solve(project, issues);
   REQUIRE(issues.empty());
   return project;
+}
+
+/// An example as it is, solved once.
+const project::Project& machine(const std::string& name) {
+  static std::map<std::string, project::Project> solved_ones;
+  const auto found = solved_ones.find(name);
+  return found != solved_ones.end() ? found->second : solved_ones.emplace(name, solved(name)).first->second;
 }
 
 Document brief_of(const project::Project& project) {
@@ -108,7 +116,7 @@ TEST_SUITE("report pages" * test::by_example) {
   TEST_CASE("page 1 has everything to decide by, and at most three pages come before the appendix") {
     for (const std::string& name : examples()) {
       CAPTURE(name);
-      const project::Project project = solved(name);
+      const project::Project& project = machine(name);
       const Document document = brief_of(project);
       CHECK(document.pages.size() <= most_pages);
       CHECK(document.heading.signatures.size() == 3);
@@ -125,7 +133,7 @@ TEST_SUITE("report pages" * test::by_example) {
   TEST_CASE("of the governing modes each has a number, the failing ones come first, then the most utilised") {
     for (const std::string& name : examples()) {
       CAPTURE(name);
-      const Document document = brief_of(solved(name));
+      const Document document = brief_of(machine(name));
       if (panel_of(document, "Governing failure modes") == nullptr) continue;
       const auto& rows = table_of(document, "Governing failure modes").rows;
       CHECK(!rows.empty());
@@ -143,7 +151,7 @@ TEST_SUITE("report pages" * test::by_example) {
   TEST_CASE("a derivation has at most 30 lines and ends with the utilisation of its mode") {
     for (const std::string& name : examples()) {
       CAPTURE(name);
-      const Document document = brief_of(solved(name));
+      const Document document = brief_of(machine(name));
       for (const Panel* panel : panels_of(document)) {
         for (const report::Block& block : panel->blocks) {
           const auto* const derivation = std::get_if<report::Derivation>(&block);
@@ -159,7 +167,7 @@ TEST_SUITE("report pages" * test::by_example) {
     const std::regex key("\\b[ux]_[A-Za-z]");
     for (const std::string& name : examples()) {
       CAPTURE(name);
-      const Document document = brief_of(solved(name));
+      const Document document = brief_of(machine(name));
       CHECK_FALSE(std::regex_search(document.finding.text.text(), key));
       for (const char* title : {"Chosen sizes", "Governing failure modes"}) {
         const Panel* const panel = panel_of(document, title);
@@ -171,7 +179,7 @@ TEST_SUITE("report pages" * test::by_example) {
   TEST_CASE("the short report is the beginning of the full one") {
     for (const std::string& name : examples()) {
       CAPTURE(name);
-      const project::Project project = solved(name);
+      const project::Project& project = machine(name);
       const std::string brief = report::markdown(brief_of(project), name).text;
       const Document full = report::build(project, "loadpath", report::Detail::normal, "x");
       CHECK(report::markdown(full, name).text.starts_with(brief));
@@ -182,7 +190,7 @@ TEST_SUITE("report pages" * test::by_example) {
 
 TEST_SUITE("report of one machine") {
   TEST_CASE("found sizes are marked, with the next smaller ones below; given sizes follow") {
-    const Document document = brief_of(solved("gearbox-shaft"));
+    const Document document = brief_of(machine("gearbox-shaft"));
     const auto& rows = table_of(document, "Chosen sizes").rows;
     const auto& size = std::get<report::Sized>(rows[0][1]);
     CHECK(plain(size.text) == "left seat 40 mm*, pinion seat 50 mm");
@@ -193,7 +201,7 @@ TEST_SUITE("report of one machine") {
   }
 
   TEST_CASE("demand, capacity and safety factors are those of the check") {
-    const Document document = brief_of(solved("gearbox-shaft"));
+    const Document document = brief_of(machine("gearbox-shaft"));
     const auto row = [&](const std::string& component, const std::string& mode) {
       for (const auto& cells : table_of(document, "Governing failure modes").rows) {
         if (std::get<std::string>(cells[0]) == component && contains(std::get<std::string>(cells[1]), mode))
@@ -232,7 +240,7 @@ TEST_SUITE("report of one machine") {
   }
 
   TEST_CASE("one step with few formulas is one page") {
-    const Document document = brief_of(solved("line-shaft"));
+    const Document document = brief_of(machine("line-shaft"));
     REQUIRE(document.pages.size() == 1);
     CHECK(panel_of(document, "Line shaft: angle of twist per unit length") != nullptr);
   }

@@ -12,6 +12,7 @@
 #include "tests/calculators/step_text.hpp"
 #include "tests/contract/source_formulas.hpp"
 #include "tests/parts.hpp"
+#include "tests/tries.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -189,9 +190,11 @@ TEST_SUITE("contract: formulas" * by_element) {
     auto missing = source_formulas([](std::string_view folder) { return takes(folder); });
     if (!is_part()) CHECK(missing.size() > 600);
     const auto all = sources();
+    Share share(4);
     for (const Source& source : all) {
-      if (takes(source.elements.front())) source.solve(check);
+      if (takes(source.elements.front()) && !share.skips()) source.solve(check);
     }
+    if (sanitized) return;  // which formulas run is the same
     const auto has_run = [&](const SourceFormula& f) { return ran(f, names); };
     std::erase_if(missing, has_run);
     for (const Source& source : all) {  // a formula of one element may run only in a project of another

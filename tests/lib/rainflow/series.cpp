@@ -1,6 +1,7 @@
 #include "lib/rainflow/counter.hpp"
 #include "lib/rainflow/series/read_series.hpp"
 #include "tests/cli/process.hpp"
+#include "tests/tries.hpp"
 
 #include <doctest/doctest.h>
 
@@ -253,7 +254,7 @@ TEST_SUITE("rainflow series") {
     const std::string text = "# t;F\nt;\"F;x\"\n1;2.5\n2; -3e2\n\n3;7\n",
                       array = npy("<f8", "(2, 2)", bytes_of(Series{1, 2, 3, 4}));
     std::mt19937 random(9);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < (test::sanitized ? 4000 : 20000); ++i) {
       const bool is_text = i % 2 == 0;
       std::string bytes = is_text ? text : array;
       for (int k = static_cast<int>(random() % 4); k >= 0; --k)

@@ -134,6 +134,7 @@ std::optional<double> common_coefficient(const mechanism::Model& model) {
     const mechanism::Friction& f = joint.friction;
     if (f.rolling_arm > 0.0 || f.loss > 0.0 || f.loss_back > 0.0) return {};
     if (f.coefficient == 0.0) continue;
+    if (f.rise > 0.0) return {};  // it has two
     if (mu && *mu != f.coefficient) return {};
     mu = f.coefficient;
   }

@@ -28,6 +28,8 @@ struct Special {
 constexpr Some wheels{Type::gear, Type::ring_gear, Type::belt, Type::crossed_belt, Type::rolling, Type::rolling_inside};
 constexpr Some losing{Type::gear, Type::ring_gear, Type::rack, Type::belt, Type::crossed_belt};
 constexpr Some cams{Type::cam, Type::cam_flat};
+constexpr Some rubbing{Type::revolute, Type::prismatic, Type::slot, Type::cam, Type::cam_flat};
+constexpr auto rubbing_names = "revolute joints, prismatic joints, slots and cams";
 
 constexpr std::array specials{
     Special{"angle",
@@ -43,10 +45,9 @@ constexpr std::array specials{
     Special{"face", {Type::cam_flat}, "flat faces on a cam", [](const auto& j) { return j.face != 0.0; }},
     Special{"holding", cams, "cams", [](const auto& j) { return j.holding != planar::Holding::one_side; }},
     Special{"slack", {Type::belt, Type::crossed_belt}, "belts", [](const auto& j) { return in_si(j.slack) != 0.0; }},
-    Special{"mu",
-            {Type::revolute, Type::prismatic, Type::slot, Type::cam, Type::cam_flat},
-            "revolute joints, prismatic joints, slots and cams",
-            [](const auto& j) { return j.mu != 0.0; }},
+    Special{"mu", rubbing, rubbing_names, [](const auto& j) { return j.mu != 0.0; }},
+    Special{"mu_s", rubbing, rubbing_names, [](const auto& j) { return is_set(j.mu_s); }},
+    Special{"v_s", rubbing, rubbing_names, [](const auto& j) { return is_set(j.v_s); }},
     Special{"pin_radius",
             {Type::revolute, Type::slot},
             "pins: revolute and slot",
@@ -91,6 +92,7 @@ class FieldCheck {
     if (on_line && !is_set(joint_.radius)) need("radius", "radius = \"20 mm\"");
     if (is_cam(joint_.type) && joint_.profile.empty()) need("profile", "profile = \"NAME\", and it to the profiles");
     check_friction();
+    check_mixed_friction();
     check_ring();
     return std::move(faults_);
   }
@@ -117,6 +119,16 @@ class FieldCheck {
     if (joint_.type != Type::prismatic) return;
     if (!is_set(joint_.guide_length)) need("guide_length", "guide_length = \"60 mm\"");
     if (!is_set(joint_.guide_width)) need("guide_width", "guide_width = \"30 mm\"; 0 where both edges rub on one line");
+  }
+
+  void check_mixed_friction() {
+    const bool mixed = is_set(joint_.mu_s);
+    if (mixed && !(joint_.mu > 0.0)) need("mu", "mu = 0.05, the coefficient of fast sliding");
+    if (mixed && !is_set(joint_.v_s)) need("v_s", "v_s = \"0.1 m/s\"");
+    if (!mixed && (is_set(joint_.v_s) || joint_.delta_s != 2.0)) need("mu_s", "mu_s = 0.15, the coefficient at rest");
+    if (!mixed || joint_.mu_s >= joint_.mu) return;
+    faults_.push_back({path("mu_s"), say("the coefficient at rest is smaller than mu, that of fast sliding"),
+                       say("give at least {1}, or leave out mu_s, v_s and delta_s", format_number(joint_.mu))});
   }
 
   void check_ring() {
@@ -193,8 +205,29 @@ mechanism::Joint joint_values(const planar::Joint& j) {
                     in_si(j.c) + in_si(j.c_turn),
                     1.0 - j.efficiency,
                     1.0 - efficiency_back};
+  if (is_set(j.mu_s) && is_set(j.v_s) && j.mu > 0.0) {
+    joint.friction.rise = j.mu_s / j.mu - 1.0;
+    joint.friction.stribeck_speed = in_si(j.v_s);
+    joint.friction.stribeck_exponent = j.delta_s;
+  }
   return joint;
 }
+
+namespace {
+
+account::Table mixed_friction_table(const Mechanism::Input& in) {
+  using account::Quantity;
+  account::Table table{
+      say("Mixed friction"), {say("joint"), say("mu at rest"), say("mu, fast"), say("v_s"), say("delta_s")}, {}};
+  for (const planar::Joint& j : in.joints) {
+    if (!is_set(j.mu_s)) continue;
+    table.rows.push_back({std::string(j.name.view()), Quantity{j.mu_s, "-"}, Quantity{j.mu, "-"},
+                          Quantity{in_si(j.v_s), "m/s"}, Quantity{j.delta_s, "-"}});
+  }
+  return table;
+}
+
+}  // namespace
 
 std::vector<account::Table> detail_tables(const Mechanism::Input& in) {
   using account::Cell;
@@ -234,6 +267,7 @@ std::vector<account::Table> detail_tables(const Mechanism::Input& in) {
   std::vector<account::Table> tables;
   if (!rolling.rows.empty()) tables.push_back(std::move(rolling));
   if (!friction.rows.empty()) tables.push_back(std::move(friction));
+  if (auto mixed = mixed_friction_table(in); !mixed.rows.empty()) tables.push_back(std::move(mixed));
   return tables;
 }
 

@@ -103,7 +103,8 @@ struct Joint {
   double face = 0.0;
   Holding holding = Holding::one_side;
   Force slack = 0.0 * N.one;
-  double mu = 0.0;
+  double mu = 0.0, mu_s = unset<double>, delta_s = 2.0;
+  Speed v_s = unset<Speed>;
   Length pin_radius = unset<Length>, guide_length = unset<Length>, guide_width = unset<Length>;
   Length rolling_arm = 0.0 * m.one, clearance = 0.0 * m.one;
   double efficiency = 1.0, efficiency_back = unset<double>;
@@ -140,6 +141,14 @@ struct Joint {
       Field{&Joint::mu, "mu", ratio,
             "coefficient of friction: revolute, prismatic, slot, cam_flat, and an edge on a cam"}
           .within(0, 2),
+      Field{&Joint::mu_s, "mu_s", ratio,
+            "mixed friction: coefficient at rest, at least mu; mu(v) = mu + (mu_s - mu) exp(-(|v|/v_s)^delta_s)"}
+          .within(0, 2)
+          .may_be_missing(),
+      Field{&Joint::v_s, "v_s", m_per_s, "mixed friction: Stribeck velocity, of the surfaces on each other"}
+          .positive()
+          .may_be_missing(),
+      Field{&Joint::delta_s, "delta_s", ratio, "mixed friction: exponent of the Stribeck curve"}.within(1, 10),
       Field{&Joint::pin_radius, "pin_radius", mm, "revolute, slot: radius of the pin; mu needs it"}
           .positive()
           .may_be_missing(),

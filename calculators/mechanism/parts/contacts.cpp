@@ -4,7 +4,9 @@
 #include "calculators/mechanism/parts/wheels.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
+#include "lib/mechanism/forces/mixed_friction.hpp"
 #include "lib/mechanism/model/frames.hpp"
+#include "lib/mechanism/model/point_motion.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <array>
@@ -36,12 +38,26 @@ struct Guide {
     const double pressing = dot(r.force, normal(along)), rubbing = dot(r.force, along);
     const bool rests = std::abs(rubbing) <= 1e-9 * std::abs(pressing);  // the remainder is rounding
     const double sense = rests ? 0.0 : std::copysign(1.0, rubbing);
-    const double rubbed = sense * joint.friction.coefficient * 0.5 * joint.guide_width * pressing;
+    const double mu = mechanism::coefficient_at(joint.friction, sliding(p, along));
+    const double rubbed = sense * mu * 0.5 * joint.guide_width * pressing;
     const Rounding least = rounding_at(p);
     const double couple = r.couple - rubbed;
     return {std::abs(pressing) <= least.force ? 0.0 : -pressing, std::abs(couple) <= least.moment ? 0.0 : -couple};
   }
   static bool has_length(const Guide& g) { return g.joint.guide_length > 0.0; }
+
+ private:
+  /// Sliding velocity of the first link's point along the guide.
+  [[nodiscard]] double sliding(const Position& p, Vec along) const {
+    const auto placed = mechanism::placed_at(p, joint.i);
+    const Vec pin = placed.origin + mechanism::turn(placed.phi)(joint.point_i);
+    const auto velocity_of = [&](int link) {
+      if (link == mechanism::ground) return Vec{};
+      return mechanism::point_velocity(p.velocity[static_cast<std::size_t>(link)],
+                                       pin - mechanism::placed_at(p, link).origin);
+    };
+    return dot(along, velocity_of(joint.i) - velocity_of(joint.j));
+  }
 };
 
 constexpr std::array guide_rows{

@@ -11,7 +11,8 @@ BasicLink<Dual> as_dual(const Link& link) {
 }
 
 BasicFriction<Dual> as_dual(const Friction& f) {
-  return {f.coefficient, f.pin_radius, f.rolling_arm, f.viscous, f.loss, f.loss_back};
+  return {f.coefficient, f.pin_radius, f.rolling_arm,    f.viscous,          f.loss,
+          f.loss_back,   f.rise,       f.stribeck_speed, f.stribeck_exponent};
 }
 
 BasicJoint<Dual> as_dual(const Joint& joint) {

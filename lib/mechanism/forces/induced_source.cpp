@@ -1,5 +1,6 @@
 #include "lib/mechanism/forces/induced_source.hpp"
 
+#include "lib/mechanism/forces/mixed_friction.hpp"
 #include "lib/mechanism/model/frames.hpp"
 #include "lib/mechanism/model/point_motion.hpp"
 #include "lib/numerics/dual.hpp"
@@ -113,7 +114,7 @@ Scalar steady_amount(const BasicJoint<Scalar>& joint, BasicVec<Scalar> along, Ba
 template <class Scalar>
 void induce_in_slide(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source,
                      const BasicReaction<Scalar>& by, double share, std::span<std::type_identity_t<Scalar>> amount) {
-  const Scalar mu = share * joint.friction.coefficient;
+  const Scalar mu = share * coefficient_at(joint.friction, source.sliding);
   const double sliding = sign(source.tendency.sliding);
   const Scalar pressing = dot(by.force, normal(source.place.along));
   const Scalar tilting = joint.guide_length > 0.0 ? 2.0 * by.couple / joint.guide_length : Scalar(0.0);
@@ -129,8 +130,9 @@ void induce_in_slot(const BasicJoint<Scalar>& joint, const BasicInducedSource<Sc
   const Scalar pressing = dot(by.force, normal(source.place.along));
   const Scalar arm = sign(pressing) * joint.friction.pin_radius;
   const double sense = sign(source.tendency.sliding + numerics::value_of(arm) * source.tendency.turning);
-  amount[0] = -sense * share * joint.friction.coefficient * abs(pressing) -
-              share * joint.friction.viscous * (source.sliding + arm * source.turning);
+  const Scalar speed = source.sliding + arm * source.turning;
+  amount[0] =
+      -sense * share * coefficient_at(joint.friction, speed) * abs(pressing) - share * joint.friction.viscous * speed;
   amount[1] = arm * amount[0];
 }
 
@@ -294,7 +296,7 @@ template <class Scalar>
 void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source, const BasicReaction<Scalar>& by,
             double share, std::span<std::type_identity_t<Scalar>> amount) {
   const BasicFriction<Scalar>& friction = joint.friction;
-  const Scalar mu = share * friction.coefficient, viscous = share * friction.viscous;
+  const Scalar viscous = share * friction.viscous;
   const double sliding = sign(source.tendency.sliding), turning = sign(source.tendency.turning);
   switch (joint.kind) {
     case JointKind::gear:
@@ -306,7 +308,9 @@ void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& s
       break;
     }
     case JointKind::revolute:
-      amount[0] = -turning * mu * friction.pin_radius * length(by.force) - viscous * source.turning;
+      amount[0] = -turning * share * coefficient_at(friction, friction.pin_radius * source.turning) *
+                      friction.pin_radius * length(by.force) -
+                  viscous * source.turning;
       break;
     case JointKind::prismatic:
       induce_in_slide(joint, source, by, share, amount);
@@ -315,7 +319,9 @@ void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& s
       induce_in_slot(joint, source, by, share, amount);
       break;
     case JointKind::cam:
-      amount[0] = -sliding * mu * abs(dot(by.force, source.place.rows[0].e)) - viscous * source.sliding;
+      amount[0] =
+          -sliding * share * coefficient_at(friction, source.sliding) * abs(dot(by.force, source.place.rows[0].e)) -
+          viscous * source.sliding;
       break;
     case JointKind::rolling:
     case JointKind::rolling_on_line:

@@ -71,6 +71,10 @@ struct BasicFriction {
   Scalar viscous = 0.0;      // N m s, or N s/m in a slide
   Scalar loss = 0.0;         // teeth, belts: part of the power that passes from link i to link j, 1 - efficiency
   Scalar loss_back = 0.0;    // the same from link j to link i; beyond 1 if nothing is transmitted
+  /// Mixed friction (forces/mixed_friction.hpp): the coefficient at rest is (1 + rise) times that of fast sliding.
+  double rise = 0.0;
+  double stribeck_speed = 0.0;  // m/s; with a rise
+  double stribeck_exponent = 2.0;
   /// Whether there is some that goes with the joint's force, and has its sense even at rest.
   [[nodiscard]] bool dry() const { return coefficient > 0.0 || rolling_arm > 0.0 || loss > 0.0 || loss_back > 0.0; }
   [[nodiscard]] bool any() const { return dry() || viscous > 0.0; }

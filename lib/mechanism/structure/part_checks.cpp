@@ -111,6 +111,12 @@ void PartChecks::check(std::size_t k, const Joint& joint) {
     add(About::joint, k,
         say("joint '{1}': its friction and the sizes for it must be finite and not negative", joint.name));
   }
+  if (f.rise == 0.0) return;
+  if (!finite({f.rise, f.stribeck_speed, f.stribeck_exponent}) || f.rise < 0.0 || !(f.stribeck_speed > 0.0) ||
+      !(f.stribeck_exponent > 0.0)) {
+    add(About::joint, k,
+        say("joint '{1}': the speed and exponent of its mixed friction must be finite and positive", joint.name));
+  }
 }
 
 void PartChecks::check_wheels(std::size_t k, const Joint& joint) {

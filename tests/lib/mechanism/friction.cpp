@@ -1,5 +1,6 @@
 // Friction in joints: textbook cases by hand, and invariants of every mechanism with friction.
 #include "lib/mechanism/forces/induced.hpp"
+#include "lib/mechanism/forces/mixed_friction.hpp"
 #include "lib/mechanism/groups/system.hpp"
 #include "tests/lib/mechanism/cam_models.hpp"
 #include "tests/lib/mechanism/models.hpp"
@@ -119,6 +120,64 @@ TEST_SUITE("mechanism") {
     CHECK(position_of(model, {{0.3, 2.0, 0.0}}).effort[0] == doctest::Approx(0.12 * 0.02 * 500.0 + 0.5 * 2.0));
     CHECK(position_of(model, {{0.3, -2.0, 0.0}}).effort[0] == doctest::Approx(-0.12 * 0.02 * 500.0 - 0.5 * 2.0));
     CHECK(position_of(model, {{0.3, 0.0, 0.0}}).effort[0] == doctest::Approx(0.0));
+  }
+
+  TEST_CASE("mixed friction falls from the coefficient at rest to that of fast sliding") {
+    const Friction friction{.coefficient = 0.1, .rise = 2.0, .stribeck_speed = 0.2, .stribeck_exponent = 2.0};
+    CHECK(coefficient_at(friction, 0.0) == doctest::Approx(0.3).epsilon(1e-15));
+    CHECK(coefficient_at(friction, 0.1) == doctest::Approx(0.255760156614281).epsilon(1e-13));
+    CHECK(coefficient_at(friction, -0.1) == coefficient_at(friction, 0.1));
+    CHECK(coefficient_at(friction, 1e3) == 0.1);
+    CHECK(coefficient_at(friction, 1e300) == 0.1);
+    const Friction exponential{.coefficient = 0.1, .rise = 2.0, .stribeck_speed = 0.2, .stribeck_exponent = 1.0};
+    CHECK(coefficient_at(exponential, 0.2) == doctest::Approx(0.1 + 0.2 * std::exp(-1.0)).epsilon(1e-15));
+    CHECK(coefficient_at(Friction{.coefficient = 0.1}, 0.1) == 0.1);
+  }
+
+  TEST_CASE("the derivative of mixed friction by the speed is that of the curve") {
+    using loadpath::numerics::Dual;
+    BasicFriction<Dual> friction;
+    friction.coefficient = 0.1;
+    friction.rise = 2.0, friction.stribeck_speed = 0.2;
+    Dual speed = -0.1;
+    speed.d[0] = 1.0;
+    const Dual mu = coefficient_at(friction, speed);
+    CHECK(mu.value == doctest::Approx(0.255760156614281).epsilon(1e-13));
+    // 0.2 exp(-(v/0.2)^2) (-2 v/0.04) at v = -0.1
+    CHECK(mu.d[0] == doctest::Approx(0.2 * std::exp(-0.25) * 5.0).epsilon(1e-13));
+    CHECK(coefficient_at(friction, Dual{0.0}).d[0] == 0.0);
+  }
+
+  TEST_CASE("a slide and a pin resist with the coefficient at their sliding speed") {
+    Model block;
+    slide(block, "guide", add_link(block, "block", {}), {}, ground, {});
+    block.joints[0].friction = {.coefficient = 0.1, .viscous = 40.0, .rise = 2.0, .stribeck_speed = 0.2};
+    drive_sliding(block, "pull", 0);
+    load(block, "weight", 0, {}, {0.0, -200.0});
+    const double sliding = 0.255760156614281 * 200.0;
+    CHECK(position_of(block, {{0.0, 0.1, 0.0}}).effort[0] == doctest::Approx(sliding + 4.0).epsilon(1e-12));
+    CHECK(position_of(block, {{0.0, -0.1, 0.0}}).effort[0] == doctest::Approx(-sliding - 4.0).epsilon(1e-12));
+
+    Model wheel;
+    pin(wheel, "O", add_link(wheel, "wheel", {}), {}, ground, {});
+    wheel.joints[0].friction = {.coefficient = 0.1, .pin_radius = 0.02, .rise = 2.0, .stribeck_speed = 0.2};
+    drive_turning(wheel, "motor", 0);
+    load(wheel, "belt", 0, {}, {300.0, -400.0});
+    const double turning = 0.255760156614281 * 0.02 * 500.0;  // 5 rad/s at 20 mm: 0.1 m/s
+    CHECK(position_of(wheel, {{0.3, 5.0, 0.0}}).effort[0] == doctest::Approx(turning).epsilon(1e-12));
+  }
+
+  TEST_CASE("all proofs agree with mixed friction in every joint") {
+    Model model = rubbing_slider_crank(0.1);
+    for (Joint& joint : model.joints) {
+      joint.friction.rise = 1.5, joint.friction.stribeck_speed = 0.5;
+    }
+    for (const double speed : {30.0, -3.0, 0.1}) {
+      const std::vector<Drive> drives{{1.0, speed, 0.0}};
+      Position at = position_of(model, drives);
+      Prover prover(model);
+      check_trustworthy(prover.prove(drives, false, at));
+    }
   }
 
   TEST_CASE("friction takes power from every joint that moves, whichever way the drive turns") {

@@ -104,6 +104,31 @@ TEST_SUITE("mechanism rest") {
     }
   }
 
+  TEST_CASE("mixed friction: the coefficient at rest starts a block, a smaller one keeps it moving") {
+    const auto mixed = [](const std::string& drive) {
+      std::string text = plane("30 deg", drive);
+      return text.replace(text.find("mu = 0.3"), 8, "mu = 0.1, mu_s = 0.3, v_s = \"0.2 m/s\"");
+    };
+    const auto rests = solved(mixed(""));
+    CHECK(value(rests, "a.cylinders.push.F_forward") == doctest::Approx(500.0 + 0.3 * 1000.0 * std::cos(pi / 6.0)));
+    const auto moves = solved(mixed(", speed = \"0.1 m/s\""));
+    CHECK(value(moves, "a.cylinders.push.F") == doctest::Approx(721.494792903854).epsilon(1e-10));
+    CHECK(value(moves, "a.cylinders.push.F_forward") == doctest::Approx(value(rests, "a.cylinders.push.F_forward")));
+  }
+
+  TEST_CASE("contradictory inputs of mixed friction are refused") {
+    const auto said = [](const std::string& friction) {
+      std::string text = plane("30 deg", ", speed = \"0.1 m/s\"");
+      return issues_of(text.replace(text.find("mu = 0.3"), 8, friction));
+    };
+    const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+    CHECK(has(said("mu = 0.3, mu_s = 0.1, v_s = \"1 m/s\""), "the coefficient at rest is smaller than mu"));
+    CHECK(has(said("mu = 0.1, mu_s = 0.3"), "needs 'v_s'"));
+    CHECK(has(said("mu = 0, mu_s = 0.3, v_s = \"1 m/s\""), "needs 'mu'"));
+    CHECK(has(said("mu = 0.1, v_s = \"1 m/s\""), "needs 'mu_s'"));
+    CHECK(said("mu = 0.1, mu_s = 0.1, v_s = \"1 m/s\"").find("error") == std::string::npos);
+  }
+
   TEST_CASE("a drive that is about to move says which way, and one that moves does not") {
     const auto up = solved(plane("10 deg", ", impending = \"forward\""));
     CHECK(value(up, "a.cylinders.push.F") == value(up, "a.cylinders.push.F_forward"));

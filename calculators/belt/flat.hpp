@@ -3,9 +3,10 @@
 // Decides the width by the allowable stress of the belt and the initial tension by Euler's condition at the smaller
 // wrap, with the part of the tension that turns the belt around (centrifugal) kept out of the friction. Tensions: S_1
 // tight, S_2 slack; the mean of the two stays that of standstill on fixed centres, while a tensioner with a constant
-// force lets it rise by the centrifugal part. Not covered: rollers on the belt (belt.course), crowning, fatigue life
-// of the belt, shafts that are not parallel. The linked shaft load is the larger resultant, in operation or at
-// standstill.
+// force lets it rise by the centrifugal part. On a pivoted motor base the moments of weight and spans about the pivot
+// balance, and the mean of the tensions rises with the load if the slack span has the longer arm. Not covered: rollers
+// on the belt (belt.course), crowning, fatigue life of the belt, shafts that are not parallel. The linked shaft load is
+// the larger resultant, in operation or at standstill.
 #pragma once
 
 #include "calculators/belt/driven.hpp"
@@ -28,7 +29,8 @@ struct Flat {
   static constexpr auto title = "Flat belt drive";
   static constexpr auto scope =
       "Length or centre distance, wrap angles, speeds with slip, tensions by the Euler-Eytelwein equation with "
-      "centrifugal tension, belt width, initial tension and shaft load of an open or crossed flat belt drive "
+      "centrifugal tension, belt width, initial tension (also of a pivoted motor base) and shaft load of an open or "
+      "crossed flat belt drive "
       "at 5 to 30 m/s (synthetic belts to 100 m/s); belt life and idlers are not covered (idlers: belt.course).";
   static constexpr auto source = "[B40], [Shigley-17]";
   static constexpr auto headline = "b = {b}";
@@ -58,7 +60,8 @@ E_b = "40 MPa"
 )";
 
   enum class Kind { conventional, synthetic };
-  enum class Tensioning { fixed, constant_force };
+  enum class Tensioning { fixed, constant_force, pivoted_base };
+  enum class Rotation { one, both };
 
   struct Input {
     Power P = unset<Power>;
@@ -76,6 +79,9 @@ E_b = "40 MPa"
     Stress sigma_adm = unset<Stress>, E_b = unset<Stress>;
     Force S_0 = unset<Force>;
     Tensioning tensioning = Tensioning::fixed;
+    Rotation rotation = Rotation::one;
+    Mass m_m = unset<Mass>;
+    Length a_G = unset<Length>, h_P = unset<Length>, x_P = unset<Length>;
   };
   static constexpr auto inputs = join(
       Fields{Field{&Input::P, "P", kW, "power at the driving pulley, mean over the cycle"}
@@ -108,29 +114,45 @@ E_b = "40 MPa"
                  .usually(10, 5000)
                  .may_be_missing()},
       driven_inputs<Input>(),
-      Fields{Field{&Input::a, "a", mm, "centre distance"}.positive().usually(10, 5e4).may_be_missing(),
-             Field{&Input::L, "L", mm, "inside belt length, replaces a"}.positive().usually(50, 1e5).may_be_missing(),
-             Choice{&Input::arrangement, "arrangement", "belt arrangement: open or crossed"}.may_be_missing(),
-             Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.05),
-             Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the pulleys"}
-                 .within(0.01, 1.5)
-                 .usually(0.1, 1),
-             Choice{&Input::kind, "kind", "belt type, for the maximum speed"}.may_be_missing(),
-             Field{&Input::delta, "delta", mm, "belt thickness"}.positive().usually(0.3, 20),
-             Field{&Input::b, "b", mm, "belt width"}.positive().usually(5, 2000).searched("R20").may_be_missing(),
-             Field{&Input::rho, "rho", kg_per_m3, "belt density"}.positive().usually(500, 2500),
-             Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable belt stress (safety factor included)"}
-                 .positive()
-                 .usually(0.5, 30),
-             Field{&Input::E_b, "E_b", MPa,
-                   "bending modulus of the belt; if given, bending at the smaller pulley is included"}
-                 .positive()
-                 .usually(5, 5000)
-                 .may_be_missing(),
-             Field{&Input::S_0, "S_0", N, "initial tension of a span at standstill; omitted: the minimum"}
-                 .positive()
-                 .may_be_missing(),
-             Choice{&Input::tensioning, "tensioning", "tensioning method"}.may_be_missing()});
+      Fields{
+          Field{&Input::a, "a", mm, "centre distance"}.positive().usually(10, 5e4).may_be_missing(),
+          Field{&Input::L, "L", mm, "inside belt length, replaces a"}.positive().usually(50, 1e5).may_be_missing(),
+          Choice{&Input::arrangement, "arrangement", "belt arrangement: open or crossed"}.may_be_missing(),
+          Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.05),
+          Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the pulleys"}
+              .within(0.01, 1.5)
+              .usually(0.1, 1),
+          Choice{&Input::kind, "kind", "belt type, for the maximum speed"}.may_be_missing(),
+          Field{&Input::delta, "delta", mm, "belt thickness"}.positive().usually(0.3, 20),
+          Field{&Input::b, "b", mm, "belt width"}.positive().usually(5, 2000).searched("R20").may_be_missing(),
+          Field{&Input::rho, "rho", kg_per_m3, "belt density"}.positive().usually(500, 2500),
+          Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable belt stress (safety factor included)"}
+              .positive()
+              .usually(0.5, 30),
+          Field{&Input::E_b, "E_b", MPa,
+                "bending modulus of the belt; if given, bending at the smaller pulley is included"}
+              .positive()
+              .usually(5, 5000)
+              .may_be_missing(),
+          Field{&Input::S_0, "S_0", N, "initial tension of a span at standstill; omitted: the minimum"}
+              .positive()
+              .may_be_missing(),
+          Choice{&Input::tensioning, "tensioning", "tensioning method"}.may_be_missing(),
+          Choice{&Input::rotation, "rotation", "pivoted base: directions of rotation"}.may_be_missing(),
+          Field{&Input::m_m, "m_m", kg, "pivoted base: mass of the motor and the base on the pivot"}
+              .positive()
+              .usually(0.5, 5000)
+              .may_be_missing(),
+          Field{&Input::a_G, "a_G", mm, "pivoted base: horizontal distance of their centre of mass from the pivot"}
+              .positive()
+              .may_be_missing(),
+          Field{&Input::h_P, "h_P", mm,
+                "pivoted base: distance of the pivot from the line of centres, positive on the side of the tight span"}
+              .may_be_missing(),
+          Field{&Input::x_P, "x_P", mm,
+                "pivoted base: distance of the pivot from the motor axis, along the line of centres toward the "
+                "driven pulley"}
+              .may_be_missing()});
 
   struct Result {
     Length d_2 = unset<Length>;
@@ -146,6 +168,10 @@ E_b = "40 MPa"
     Speed v_opt = unset<Speed>;
     Length b_min = unset<Length>, b = unset<Length>;
     Force F_c = unset<Force>, S_0_min = unset<Force>, S_0 = unset<Force>, S_1 = unset<Force>, S_2 = unset<Force>;
+    Length a_1 = unset<Length>, a_2 = unset<Length>;
+    double k_S = unset<double>, u_Sr = unset<double>;
+    Mass m_min = unset<Mass>;
+    Force S_0r = unset<Force>, S_1r = unset<Force>;
     double mu_req = unset<double>;
     Stress sigma_max = unset<Stress>;
     Force R_0 = unset<Force>, R_x = unset<Force>, R_y = unset<Force>, R = unset<Force>;
@@ -181,6 +207,14 @@ E_b = "40 MPa"
           Field{&Result::S_0, "S_0", N, "initial tension of a span at standstill"},
           Field{&Result::S_1, "S_1", N, "tight side tension"},
           Field{&Result::S_2, "S_2", N, "slack side tension"},
+          Field{&Result::a_1, "a_1", mm, "pivoted base: lever arm of the tight span about the pivot"},
+          Field{&Result::a_2, "a_2", mm, "pivoted base: lever arm of the slack span about the pivot"},
+          Field{&Result::k_S, "k_S", ratio,
+                "pivoted base: increase of the mean tension / half of the effective pull (negative: the load slackens "
+                "the belt)"},
+          Field{&Result::m_min, "m_min", kg, "pivoted base: minimum mass of the motor and the base against slip"},
+          Field{&Result::S_0r, "S_0r", N, "minimum initial tension, reversed rotation"},
+          Field{&Result::S_1r, "S_1r", N, "tight side tension, reversed rotation"},
           Field{&Result::mu_req, "mu_req", ratio, "utilised coefficient of friction"},
           Field{&Result::sigma_max, "sigma_max", MPa, "maximum stress: tight side at the smaller pulley"},
           pull(&Result::R_0, "R_0", "shaft load at standstill, along the line of centres"),
@@ -197,6 +231,9 @@ E_b = "40 MPa"
               .handed_over(),
           Field{&Result::f_B, "f_B", Hz, "flex rate of the belt"},
           Field{&Result::u_S, "u_S", ratio, "friction: required / actual initial tension"}.check(),
+          Field{&Result::u_Sr, "u_Sr", ratio, "friction, reversed rotation: required / actual initial tension"}
+              .check()
+              .where_it_applies(),
           Field{&Result::u_sigma, "u_sigma", ratio, "strength: maximum / allowable stress"}.check(),
           Field{&Result::sigma_N, "sigma_N", MPa,
                 "stress available for the effective pull, without bending and centrifugal stress"}
@@ -217,6 +254,7 @@ E_b = "40 MPa"
               .limit(0, 1)
               .sizeless()});
 
+  static bool on_pivot(const Input& in) { return in.tensioning == Tensioning::pivoted_base; }
   static bool clear_of_each_other(const Input& in);
   static FieldFault touching(const Input& in);
   static bool is_thin(const Input& in);
@@ -226,16 +264,31 @@ E_b = "40 MPa"
           Rule<Input>{[](const Input& in) { return is_set(in.P) != is_set(in.T_1); }, "P, T_1", "give either P or T_1"},
           Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
                       "give either the centre distance a or the belt length L"},
+          Rule<Input>{
+              [](const Input& in) { return !on_pivot(in) || (is_set(in.m_m) && is_set(in.a_G) && is_set(in.h_P)); },
+              "tensioning, m_m, a_G, h_P", "a pivoted base needs its mass m_m and the distances a_G and h_P"},
+          Rule<Input>{
+              [](const Input& in) { return on_pivot(in) || !(is_set(in.m_m) || is_set(in.a_G) || is_set(in.h_P)); },
+              "m_m, a_G, h_P, tensioning", "m_m, a_G and h_P belong to a pivoted base: tensioning = \"pivoted_base\""},
+          Rule<Input>{[](const Input& in) { return on_pivot(in) || (in.rotation == Rotation::one && !is_set(in.x_P)); },
+                      "rotation, x_P, tensioning",
+                      "rotation and x_P belong to a pivoted base: tensioning = \"pivoted_base\""},
+          Rule<Input>{[](const Input& in) { return !on_pivot(in) || !is_set(in.S_0); }, "S_0, m_m, tensioning",
+                      "the initial tension follows from the mass of a pivoted base: leave out S_0"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.h_P) || abs(in.h_P) > 0.0 * m.one; }, "h_P",
+                      "a pivot on the line of centres does not tension the belt: give a distance"},
           Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching},
           Rule<Input>{&is_thin, "delta, d_1, d_2, n_2_set, i_set",
                       "the belt must be thinner than half of the smaller pulley"}});
 
   static constexpr bool turns = true;
   static Applies crossed(const Input& in) { return where(in.arrangement == Arrangement::crossed); }
+  static Applies reverses(const Input& in) { return where(on_pivot(in) && in.rotation == Rotation::both); }
   static constexpr std::array meanings{Meaning{"P", "mean"}};
 
   static constexpr std::array modes{
       Mode<Input>{"grip", "belt slip", &always<Input>}.judged_by("u_S"),
+      Mode<Input>{"grip_reversed", "belt slip, reversed rotation", &reverses}.judged_by("u_Sr"),
       Mode<Input>{"strength", "tensile strength, tight span", &always<Input>}.judged_by("u_sigma, sigma_N"),
       Mode<Input>{"bending", "bending at the smaller pulley", &always<Input>}.judged_by("u_b"),
       Mode<Input>{"width", "belt width within the pulleys", &always<Input>}.judged_by("x_b").of_shape(),
@@ -264,7 +317,13 @@ constexpr auto choices_of(Flat::Tensioning) {
   return std::array{
       ChoiceName<Flat::Tensioning>{Flat::Tensioning::fixed, "fixed", "centres that are fixed when running"},
       ChoiceName<Flat::Tensioning>{Flat::Tensioning::constant_force, "constant_force",
-                                   "weight or spring that tensions the pulleys with constant force"}};
+                                   "weight or spring that tensions the pulleys with constant force"},
+      ChoiceName<Flat::Tensioning>{Flat::Tensioning::pivoted_base, "pivoted_base",
+                                   "motor on a pivoted base, tensioned by its weight and reaction torque"}};
+}
+constexpr auto choices_of(Flat::Rotation) {
+  return std::array{ChoiceName<Flat::Rotation>{Flat::Rotation::one, "one", "one direction"},
+                    ChoiceName<Flat::Rotation>{Flat::Rotation::both, "both", "both directions, at the same power"}};
 }
 
 }  // namespace loadpath::belt

@@ -17,6 +17,9 @@ using namespace loadpath::test;
 /// shaft.design with all that its material gives but the moduli.
 #define WITHOUT_MATERIAL "material = \nrho = \"7850 kg/m^3\"\nR_e = \"370 MPa\"\nR_m = \"630 MPa\"\n"
 
+/// belt.flat with the motor on a pivoted base.
+#define PIVOTED "b = \"100 mm\"\ntensioning = \"pivoted_base\"\nm_m = \"400 kg\"\na_G = \"300 mm\"\nh_P = \"300 mm\"\n"
+
 /// gear.rating by ISO 6336.
 #define OF_ISO "standard = \"iso6336\"\nnu_40 = \"150 mm^2/s\"\n"
 
@@ -215,6 +218,8 @@ const Law drives[] = {
     {"belt.course", "", R"(n_1 = "2900 rpm")", "F_c", 4},
     {"belt.flat", R"(b = "100 mm")", "b = \"100 mm\"\nd_1 = \"400 mm\"\nd_2 = \"1000 mm\"\na = \"2400 mm\"", "L", 2},
     {"belt.flat", R"(b = "100 mm")", "b = \"100 mm\"\nn_1 = \"2900 rpm\"", "F_c", 4},
+    {"belt.flat", PIVOTED, PIVOTED "m_m = \"800 kg\"", "S_0", 2},
+    {"belt.flat", PIVOTED, PIVOTED "P = \"30 kW\"", "m_min", 2},
     {"belt.v", "z = 4", "z = 4\nP = \"60 kW\"", "u_P", 2},
     {"belt.v", "L = \na = \"800 mm\"", "L = \nd_1 = \"400 mm\"\nd_2 = \"800 mm\"\na = \"1600 mm\"", "L", 2},
     {"belt.v_sizing", "", "P = \"13.2 kW\"\nK_A = 1", "u_P", 1},

@@ -568,6 +568,14 @@ const Case drives[] = {
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"\narrangement = \"crossed\"", "gamma",
      0.2526802551420786},  // arcsin 0.25
     {"belt.flat", "b = \"100 mm\"\nd_2 = \"200 mm\"\nS_0 = \"900 N\"", "R_0", 1800.0},
+    {"belt.flat",  // both spans at 300 mm from the pivot, but for the radius of 100 mm
+     "b = \"100 mm\"\nd_2 = \"200 mm\"\ntensioning = \"pivoted_base\"\nm_m = \"400 kg\"\na_G = \"300 mm\"\n"
+     "h_P = \"300 mm\"",
+     "S_0", 400 * 9.81 / 2},
+    {"belt.flat",
+     "b = \"100 mm\"\nd_2 = \"200 mm\"\ntensioning = \"pivoted_base\"\nm_m = \"400 kg\"\na_G = \"300 mm\"\n"
+     "h_P = \"-300 mm\"",
+     "k_S", -1.0 / 3},
     {"belt.flat", "b = \"100 mm\"\nd_2 = \ni_set = 2", "i_w", 2.0},
     {"belt.flat", "b = \"100 mm\"\nd_2 = \nn_1 = \"1000 rpm\"\nn_2_set = \"500 rpm\"", "i_w", 2.0},
     {"belt.flat", "b = \"100 mm\"\nE_b = \"80 MPa\"", "sigma_b", 80e6 * 2.5 / 200},  // strain of the outer fibre

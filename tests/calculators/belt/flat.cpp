@@ -26,6 +26,15 @@ belt::Flat::Input fan() {
   return in;
 }
 
+/// The motor of 400 kg hangs 300 mm beside a pivot at this distance from the line of centres.
+belt::Flat::Input on_pivot(double h_P) {
+  belt::Flat::Input in = fan();
+  in.K_A = 1.2, in.b = 100.0 * mm;
+  in.tensioning = belt::Flat::Tensioning::pivoted_base;
+  in.m_m = 400.0 * kg, in.a_G = 300.0 * mm, in.h_P = 1000.0 * h_P * mm;
+  return in;
+}
+
 constexpr auto solve = test::evaluated<belt::Flat>;
 
 const std::string text = R"(calculator = "belt.flat"
@@ -67,6 +76,62 @@ TEST_SUITE("belt flat") {
     const auto pulled = solve(in);
     CHECK(rel(in_si(pulled.S_1 + pulled.S_2), 1800.0 + 2 * in_si(pulled.F_c)) < 1e-12);
     CHECK(pulled.S_0_min < r.S_0_min);
+  }
+
+  TEST_CASE("on a pivoted base the moments of both spans about the pivot balance that of the weight") {
+    for (const double h_P : {0.3, -0.3, 0.12}) {
+      CAPTURE(h_P);
+      belt::Flat::Input in = on_pivot(h_P);
+      in.x_P = 50.0 * mm;
+      const auto r = solve(in);
+      // The arms by the tangent points of the spans, about the pivot.
+      const double gamma = std::asin(0.15 / 1.2), side = h_P > 0.0 ? 1.0 : -1.0;
+      const auto arm = [&](double span) {
+        const double x = -0.1 * std::sin(gamma) - 0.05, y = span * 0.1 * std::cos(gamma) - h_P;
+        return side * (x * span * std::sin(gamma) - y * std::cos(gamma));
+      };
+      CHECK(rel(in_si(r.a_1), arm(1.0)) < 1e-12);
+      CHECK(rel(in_si(r.a_2), arm(-1.0)) < 1e-12);
+      const double moment = in_si((r.S_1 - r.F_c) * r.a_1 + (r.S_2 - r.F_c) * r.a_2);
+      CHECK(rel(moment, 400 * 9.81 * 0.3) < 1e-12);
+      CHECK(rel(in_si(r.S_0 * (r.a_1 + r.a_2)), 400 * 9.81 * 0.3) < 1e-12);
+      CHECK(rel(in_si(r.S_1 + r.S_2 - 2.0 * r.F_c), in_si(2.0 * r.S_0) + r.k_S * in_si(r.F_t)) < 1e-12);
+    }
+  }
+
+  TEST_CASE("a pivot on the side of the tight span tensions with the load, and reversed rotation slackens the belt") {
+    const auto r = solve(on_pivot(0.3));
+    CHECK(rel(in_si(r.S_0_min), 937.7585231045796) < 1e-12);
+    CHECK(rel(in_si(r.m_min), 189.6846973980073) < 1e-12);
+    CHECK(rel(r.k_S, 0.3359684204526465) < 1e-12);
+    CHECK(!is_set(r.u_Sr));
+    belt::Flat::Input in = on_pivot(0.3);
+    in.rotation = belt::Flat::Rotation::both;
+    const auto both = solve(in), reversed = solve(on_pivot(-0.3));
+    CHECK(rel(in_si(both.S_0r), 1336.025541206925) < 1e-12);
+    CHECK(rel(both.u_Sr, reversed.u_S) < 1e-12);
+    CHECK(rel(in_si(both.S_1r), in_si(reversed.S_1)) < 1e-12);
+    CHECK(rel(in_si(both.sigma_max), in_si(r.sigma_max)) < 1e-12);  // the tight span of the tensioning direction
+  }
+
+  TEST_CASE("at the minimum mass friction is used in full; a pivot between the spans needs less") {
+    belt::Flat::Input in = on_pivot(0.3);
+    in.m_m = solve(in).m_min;
+    CHECK(rel(solve(in).u_S, 1.0) < 1e-12);
+    CHECK(rel(solve(in).mu_req, in.mu) < 1e-12);
+    CHECK(rel(in_si(solve(on_pivot(0.09)).m_min), 28.70965846601358) < 1e-12);
+    CHECK(in_si(solve(on_pivot(0.05)).S_0_min) == 0.0);  // it grips at any load
+    CHECK(solve(on_pivot(0.05)).u_S == 0.0);
+  }
+
+  TEST_CASE("incomplete and contradictory inputs of a pivoted base are refused") {
+    const std::string base = "tensioning = \"pivoted_base\"\nm_m = \"400 kg\"\na_G = \"300 mm\"\n";
+    const auto has = [](const std::string& lines, const char* part) { return BeltStep(text + lines).says(part); };
+    CHECK(has(base, "needs its mass m_m and the distances a_G and h_P"));
+    CHECK(has("m_m = \"400 kg\"\n", "belong to a pivoted base"));
+    CHECK(has("rotation = \"both\"\n", "rotation and x_P belong to a pivoted base"));
+    CHECK(has(base + "h_P = \"300 mm\"\nS_0 = \"900 N\"\n", "leave out S_0"));
+    CHECK(has(base + "h_P = \"0 mm\"\n", "a pivot on the line of centres"));
   }
 
   TEST_CASE("the service factor acts once: forces and width rise by it") {

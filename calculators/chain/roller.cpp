@@ -51,6 +51,21 @@ void sprockets(const Input& in, Result& r, Tracer& trace) {
   r.z_min = std::min(in.z_1, in.z_2);
 }
 
+/// Sag of a parabola under the pull K_f q g a, whose q cancels; a drive that hangs more steeply sags with less pull.
+template <class Tracer>
+void position(const Input& in, Result& r, Tracer& trace) {
+  if (!is_set(in.theta)) return;
+  STEP_TO(r, theta_c, abs(in.theta), "up to 60 deg without a tensioner, [HKK]");
+  STEP(K_theta,
+       theta_c < 2.0 * pi / 9.0 ? 6.0 - 3.0 * theta_c / (2.0 * pi / 9.0)
+                                : 3.0 - 2.0 * (theta_c - 2.0 * pi / 9.0) / (5.0 * pi / 18.0),
+       "sag factor, linear between 6 at 0 deg, 3 at 40 deg and 1 at 90 deg, [Vunivere]");
+  STEP_TO(r, f_s, r.a * cos(theta_c) / (8.0 * min(in.K_f, K_theta)), "q g cos(theta) a^2/(8 F_f), [Chain-sag]");
+  if (in.loaded == Roller::Loaded::upper) return;
+  STEP(h_p, 0.95 * in.p, "largest depth of the plates of ISO 606, [Donghua]");
+  STEP_TO(r, g_s, (r.d_1 + r.d_2) / 2.0 - f_s - h_p, "the strands must not touch, [Chain-guide]");
+}
+
 template <class Tracer>
 void speeds(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, n_2, in.n_1 / r.i, "mean speed");
@@ -163,6 +178,7 @@ Roller::Result Roller::evaluate(const Input& in, Tracer& trace) {
   Result r;
   links(in, r, trace);
   sprockets(in, r, trace);
+  position(in, r, trace);
   if (is_set(in.n_1)) speeds(in, r, trace);
   r.T_1 = torque(in, trace);
   if (!is_set(r.T_1)) return r;

@@ -1,11 +1,14 @@
-// A drive with a roller chain: geometry, chain tension, pressure in the joints, safety against breaking, shaft loads.
+// A drive with a roller or bush chain: geometry, chain tension, pressure in the joints, safety against breaking, shaft
+// loads.
 //
 // Decides the even number of links and the centre distance that belongs to it, exactly in both directions for a chain
 // that lies on circles of z p/(2 pi); speeds, chordal action, tension with centrifugal force and sag, and the
 // capacity of the chain. Wear and fatigue of plates and rollers govern a chain, not its breaking load: that safety
 // factor is not a sufficient criterion. The rated power of the chain manufacturer goes in as P_R, on the basis of ISO
 // 10823 (19 teeth, 15 000 h, 120 links). K_A acts once: on the tension from the power. Not covered: idlers, more than
-// two sprockets, vertical drives' sag.
+// two sprockets, vertical drives' sag. A bush chain differs by its joint area and breaking load only. The position of
+// the drive (theta, loaded) decides whether a slack strand above sags onto the tight one, and whether it needs a
+// tensioner.
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"
@@ -26,15 +29,18 @@ struct Roller {
   static constexpr auto id = "chain.roller";
   static constexpr auto title = "Roller chain drive";
   static constexpr auto scope =
-      "Chain length and centre distance of a two-sprocket drive, speed limits by lubrication, chordal action, "
-      "chain pull, pin bearing pressure, static safety factor against breakage and shaft loads; "
+      "Chain length and centre distance of a two-sprocket roller or bush chain drive, speed limits by lubrication, "
+      "chordal action, chain pull, sag, pin bearing pressure, static safety factor against breakage and shaft loads; "
       "service life is not covered.";
   static constexpr auto source = "[ASME-B29], [B40], [ISO10823]";
   static constexpr auto headline = "z {z_1}/{z_2}, p {p}";
   static constexpr auto details = "{X} links, a = {a}, chain speed v = {v}, shaft load F_W = {F_W}";
   static constexpr auto synonyms =
-      "roller chain, chain drive, sprocket, ISO 606, ISO 10823, chain pull, chordal action, polygon effect, "
-      "Rollenkette, Kettentrieb, Kettenrad, Polygoneffekt, chain, Kette, цепная передача, роликовая цепь, звёздочка";
+      "roller chain, bush chain, chain drive, sprocket, ISO 606, ISO 10823, chain pull, chordal action, polygon "
+      "effect, "
+      "Rollenkette, Buchsenkette, Hülsenkette, Kettentrieb, Kettenrad, Polygoneffekt, chain, Kette, цепная передача, "
+      "роликовая цепь, втулочная цепь, "
+      "звёздочка";
   static constexpr auto example = R"([project]
 title = "Chain from a gear motor to a conveyor"
 
@@ -55,6 +61,7 @@ P_R = "5.5 kW"
 
   enum class Edition { maker, iso606_1994 };
   enum class Lubrication { grease, bath };
+  enum class Loaded { upper, lower };
 
   struct Input {
     Length p = unset<Length>, p_t = unset<Length>;
@@ -72,10 +79,14 @@ P_R = "5.5 kW"
     double K_A = 1.0;
     double K_f = 6.0;
     Lubrication lubrication = Lubrication::grease;
+    double theta = unset<double>;
+    Loaded loaded = Loaded::upper;
     Stress p_adm = unset<Stress>;
     double S_min = unset<double>;
     Power P_R = unset<Power>;
   };
+  static Applies inclined(const Input& in) { return where(is_set(in.theta)); }
+  static Applies sags_down(const Input& in) { return where(is_set(in.theta) && in.loaded == Loaded::lower); }
   static bool sprockets_apart(const Input& in);
   static FieldFault sprockets_touch(const Input& in);
   static bool links_reach(const Input& in);
@@ -141,6 +152,11 @@ P_R = "5.5 kW"
           .within(0, 10)
           .usually(1, 6),
       Choice{&Input::lubrication, "lubrication", "lubrication type"}.may_be_missing(),
+      Field{&Input::theta, "theta", deg,
+            "inclination of the line of centres to the horizontal; positive: driving sprocket below the driven one"}
+          .within(-90, 90)
+          .may_be_missing(),
+      Choice{&Input::loaded, "loaded", "loaded strand, with theta"}.may_be_missing(),
       Field{&Input::p_adm, "p_adm", MPa, "allowable joint bearing pressure"}.positive().usually(5, 60).may_be_missing(),
       Field{&Input::S_min, "S_min", ratio, "required safety factor against breakage"}
           .at_least(1)
@@ -173,6 +189,8 @@ P_R = "5.5 kW"
     double S_stat = unset<double>, S_dyn = unset<double>, u_F = unset<double>;
     double f_2 = unset<double>;
     Power P_c = unset<Power>;
+    Length f_s = unset<Length>, g_s = unset<Length>;
+    double theta_c = unset<double>;
     double u_p = unset<double>, u_S = unset<double>, u_P = unset<double>;
   };
   static constexpr Fields results{
@@ -202,6 +220,13 @@ P_R = "5.5 kW"
       Field{&Result::F_t, "F_t", N, "chain pull, nominal"}.load(),
       Field{&Result::F_c, "F_c", N, "centrifugal force"},
       Field{&Result::F_f, "F_f", N, "chain pull due to sag"},
+      Field{&Result::f_s, "f_s", mm, "sag of the slack strand in its middle, new chain"},
+      Field{&Result::g_s, "g_s", mm, "clearance between the strands (slack strand above the tight one)"}
+          .limit(0, 1e6)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::theta_c, "theta_c", deg, "inclination to the horizontal (above 60 deg a tensioner is required)"}
+          .limit(0, 60, "theta"),
       Field{&Result::F, "F", N, "maximum chain pull: with service factor, centrifugal force and sag"}.holding("K_A"),
       Field{&Result::F_W, "F_W", N, "force on each shaft, along the line of centres"}.load().with("T_1|T_2").holding(
           "K_A"),
@@ -242,6 +267,10 @@ P_R = "5.5 kW"
                   "the safety factor needs the breaking load of the edition (or a chain that has it) and a load"},
       Rule<Input>{[](const Input& in) { return !is_set(in.P_R) || is_set(in.P); }, "P_R, P",
                   "the rating is compared with the power P"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.theta) || in.K_f > 0.0; }, "theta, K_f",
+                  "the sag needs a sag factor K_f above 0"},
+      Rule<Input>{[](const Input& in) { return is_set(in.theta) || in.loaded == Loaded::upper; }, "loaded, theta",
+                  "the loaded strand needs the inclination theta; 0 deg: horizontal"},
       Rule<Input>{[](const Input& in) { return in.X % 2 == 0; }, "X",
                   "an odd number of links needs a cranked link, which is weaker", nullptr, true},
       Rule<Input>{[](const Input& in) { return in.z_1 >= 17 && in.z_2 >= 17; }, "z_1, z_2",
@@ -266,6 +295,8 @@ P_R = "5.5 kW"
       Mode<Input>{"wrap_1", "wrap angle, driving sprocket", &always<Input>}.judged_by("alpha_1").of_shape(),
       Mode<Input>{"wrap_2", "wrap angle, driven sprocket", &always<Input>}.judged_by("alpha_2").of_shape(),
       Mode<Input>{"ratio", "speed ratio per stage", &always<Input>}.judged_by("i").of_shape(),
+      Mode<Input>{"strands", "contact of the strands, slack strand above", &sags_down}.judged_by("g_s").of_shape(),
+      Mode<Input>{"position", "inclination of the line of centres", &inclined}.judged_by("theta_c").of_shape(),
       Mode<Input>{"galling", "galling of pins and bushes", &unseen<Input>}.judged_by("u_P").special(),
       Mode<Input>{"sprockets", "sprocket tooth wear", &unseen<Input>}.special(),
       Mode<Input>{"vibration", "strand vibration due to chordal action", &unseen<Input>}.special()};
@@ -284,6 +315,13 @@ constexpr auto choices_of(Roller::Lubrication) {
   using Lubrication = Roller::Lubrication;
   return std::array{ChoiceName<Lubrication>{Lubrication::grease, "grease", "by hand or drops: up to 6 m/s"},
                     ChoiceName<Lubrication>{Lubrication::bath, "bath", "in an oil bath: up to 12 m/s"}};
+}
+
+constexpr auto choices_of(Roller::Loaded) {
+  using Loaded = Roller::Loaded;
+  return std::array{ChoiceName<Loaded>{Loaded::upper, "upper", "upper strand: the slack strand hangs free below"},
+                    ChoiceName<Loaded>{Loaded::lower, "lower",
+                                       "lower strand: the slack strand sags toward it; holds the teeth, [B40]"}};
 }
 
 }  // namespace loadpath::chain

@@ -548,7 +548,8 @@ const Case drives[] = {
     {"chain.roller", "z_1 = 19\nz_2 = 19", "alpha_1", pi},
     {"drive.train", R"(stages = [{ kind = "gear", z_1 = 20, z_2 = 20, eta = 1 }])", "P_loss", 0.0},
     {"drive.train", R"(stages = [{ kind = "worm", z_1 = 2, z_2 = 40, eta = 0.72 }])", "stages[1].x_eta",
-     0.8},  // usual up to 0.9
+     0.8},                                                                                         // usual up to 0.9
+    {"chain.roller", "z_1 = 20\nz_2 = 20\na = \"1270 mm\"\ntheta = \"0 deg\"", "f_s", 1.27 / 48},  // about 2 %
     {"chain.roller", "z_1 = 38", "f_2", std::pow(0.5, 1.08)},
     {"drive.friction_wheels", "shape = \"bevel\"\nd_2 = \"200 mm\"", "delta_2", pi / 4},  // alike, at right angles
     {"drive.friction_wheels", "shape = \"bevel\"\nSigma = \"60 deg\"\nd_2 = \"200 mm\"", "delta_1", pi / 6},

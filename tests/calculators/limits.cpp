@@ -368,6 +368,8 @@ const Side pulleys[] = {
     {"chain.roller", "i", outside, "z_2", "100", "101", "z_1 = 10"},
     {"chain.roller", "alpha_1", outside, "a", R"("700 mm")", R"("500 mm")", "z_1 = 17\nz_2 = 100"},
     {"chain.roller", "alpha_2", outside, "a", R"("700 mm")", R"("500 mm")", "z_1 = 100\nz_2 = 17"},
+    {"chain.roller", "g_s", over, "a", R"("13900 mm")", R"("14100 mm")", "theta = \"0 deg\"\nloaded = \"lower\""},
+    {"chain.roller", "theta_c", outside, "theta", R"("-60 deg")", R"("-61 deg")"},
     {"chain.roller", "v_share", outside, "n_1", R"("670 rpm")", R"("680 rpm")"},
     {"chain.roller", "v_share", outside, "n_1", R"("1349 rpm")", R"("1351 rpm")", R"(lubrication = "bath")"},
     {"chain.roller", "u_p", over, "p_adm", R"("22 MPa")", R"("21 MPa")"},

@@ -125,6 +125,31 @@ TEST_SUITE("roller chain") {
     CHECK(rel(solve(in).F_u / one.F_u, 2) < 1e-14);
   }
 
+  TEST_CASE("the slack strand sags as a parabola under its pull, and by 2 % of a horizontal drive") {
+    chain::Roller::Input in = conveyor();
+    in.theta = 0.0;
+    const auto level = solve(in);
+    const double a = in_si(level.a);
+    CHECK(rel(in_si(level.f_s), 2.71 * 9.81 * a * a / (8.0 * in_si(level.F_f))) < 1e-12);
+    CHECK(rel(in_si(level.f_s), a / 48.0) < 1e-12);
+    for (const double side : {1.0, -1.0}) {  // the larger sag factor of K_f = 6 does not hold a steep drive up
+      in.theta = side * pi / 3.0;
+      CHECK(rel(in_si(solve(in).f_s), 28.199212280112e-3) < 1e-9);
+      CHECK(rel(solve(in).theta_c, pi / 3.0) < 1e-15);
+    }
+    in.theta = pi / 2.0;
+    CHECK(in_si(solve(in).f_s) < 1e-12);
+  }
+
+  TEST_CASE("only a slack strand above the loaded one has a clearance, less by sag and plates") {
+    chain::Roller::Input in = conveyor();
+    CHECK(!is_set(solve(in).f_s));
+    in.theta = pi / 6.0;
+    CHECK(!is_set(solve(in).g_s));
+    in.loaded = chain::Roller::Loaded::lower;
+    CHECK(rel(in_si(solve(in).g_s), 262.9677092938458e-3) < 1e-9);
+  }
+
   TEST_CASE("what a user can get wrong is told") {
     says("a = \"1 m\"\n", "give the pitch p, or a chain");
     says("p = \"25.4 mm\"\n", "either the centre distance a or the number of links X");
@@ -135,6 +160,8 @@ TEST_SUITE("roller chain") {
     says("p = \"25.4 mm\"\na = \"1 m\"\np_adm = \"30 MPa\"\nT_1 = \"5 N*m\"\n", "the pressure needs the bearing area");
     says("p = \"25.4 mm\"\na = \"1 m\"\nS_min = 8\nT_1 = \"5 N*m\"\n", "breaking load of the edition");
     says("p = \"25.4 mm\"\nX = 121\n", "cranked link");
+    says("p = \"25.4 mm\"\na = \"1 m\"\nloaded = \"lower\"\n", "needs the inclination theta");
+    says("p = \"25.4 mm\"\na = \"1 m\"\ntheta = \"0 deg\"\nK_f = 0\n", "a sag factor K_f above 0");
     says("chain = \"16Z\"\na = \"1 m\"\n", "no chain '16Z' in the tables");
   }
 }

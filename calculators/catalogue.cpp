@@ -18,7 +18,7 @@ namespace column { struct Buckling; struct BeamColumn; struct Lightest; struct E
 namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; struct Thick; struct ThickWalledSphere; struct Compound; struct Autofrettage; struct External; struct End; struct FlatEnd; }
 namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; struct Multiaxial; struct Staircase; struct Survival; struct Fkm; }
 namespace gear { struct Pair; struct Planetary; struct Rating; }
-namespace chain { struct Roller; }
+namespace chain { struct Roller; struct InvertedTooth; }
 namespace drive { struct Train; struct FrictionWheels; }
 namespace belt { struct Flat; struct V; struct VSizing; struct Course; }
 namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct Spatial; struct UniversalJoint; struct AlongPath; }
@@ -101,6 +101,7 @@ static constexpr std::array all{
     Row{&erased<gear::Planetary>},
     Row{&erased<gear::Rating>},
     Row{&erased<chain::Roller>},
+    Row{&erased<chain::InvertedTooth>},
     Row{&erased<drive::Train>},
     Row{&erased<drive::FrictionWheels>},
     Row{&erased<belt::Flat>},

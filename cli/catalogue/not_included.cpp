@@ -55,9 +55,7 @@ constexpr std::array all{
         "toothed belts",
         "timing belt, toothed belt, synchronous belt, HTD, Zahnriemen, зубчатый ремень, зубчатоременная передача",
         "belt.course, belt.v, drive.train"},
-    NotIncluded{"silent chains, conveyor and lifting chains",
-                "silent chain, leaf chain, conveyor chain, lifting chain, Zahnkette, Hebekette, зубчатая цепь, "
-                "грузовая цепь",
+    NotIncluded{"conveyor and lifting chains", "leaf chain, conveyor chain, lifting chain, Hebekette, грузовая цепь",
                 "chain.roller"},
     NotIncluded{"wire ropes: strength and life", "rope, wire rope, cable, Seil, Drahtseil, канат, трос",
                 "dynamics.lift"},

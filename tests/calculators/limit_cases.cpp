@@ -548,7 +548,10 @@ const Case drives[] = {
     {"chain.roller", "z_1 = 19\nz_2 = 19", "alpha_1", pi},
     {"drive.train", R"(stages = [{ kind = "gear", z_1 = 20, z_2 = 20, eta = 1 }])", "P_loss", 0.0},
     {"drive.train", R"(stages = [{ kind = "worm", z_1 = 2, z_2 = 40, eta = 0.72 }])", "stages[1].x_eta",
-     0.8},                                                                                         // usual up to 0.9
+     0.8},  // usual up to 0.9
+    {"chain.inverted_tooth", "z_1 = 25\nz_2 = 25\na = \"508 mm\"", "X_0", 80 + 25},
+    {"chain.inverted_tooth", "a = \nX = 131", "b_min", 0.042 * 1.25},  // a hunting link
+    {"chain.inverted_tooth", "P_b = \"10 kW\"\nb_R = \"25.4 mm\"", "b_min", 2.1 * 0.0254},
     {"chain.roller", "z_1 = 20\nz_2 = 20\na = \"1270 mm\"\ntheta = \"0 deg\"", "f_s", 1.27 / 48},  // about 2 %
     {"chain.roller", "z_1 = 38", "f_2", std::pow(0.5, 1.08)},
     {"drive.friction_wheels", "shape = \"bevel\"\nd_2 = \"200 mm\"", "delta_2", pi / 4},  // alike, at right angles

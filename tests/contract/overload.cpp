@@ -85,6 +85,7 @@ constexpr std::array without_load{
     Reason{"belt.v wrap", by_sizes},
     Reason{"belt.v_sizing bending", by_speed},
     Reason{"belt.v_sizing rim", by_speed},
+    Reason{"chain.inverted_tooth speed", by_speed},
     Reason{"chain.roller speed", by_speed},
     Reason{"column.beam_column local", "class 3 at the yield strength"},
     Reason{"column.beam_column slenderness", by_sizes},

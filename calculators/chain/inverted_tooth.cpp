@@ -1,0 +1,99 @@
+#include "calculators/chain/inverted_tooth.hpp"
+
+#include "calculators/belt/figures.hpp"
+#include "calculators/chain/layout.hpp"
+#include "lib/calculator/calculator_of.hpp"
+
+namespace loadpath::chain {
+
+namespace {
+
+/// Sag and centrifugal force only with the mass of the chain, as reported.
+template <class Tracer>
+void pull_silently(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& trace) {
+  STEP_TO(r, n_2, in.n_1 / r.i, "mean speed");
+  STEP_TO(r, v, in.z_1 * in.p * in.n_1 / (2.0 * pi), "mean chain speed");
+  if (is_set(in.v_max)) {
+    STEP_TO(r, v_share, v / in.v_max, "chain speed / maximum speed");
+  }
+  STEP_TO(r, T_1, in.P / in.n_1, "torque from the power, nominal");
+  STEP_TO(r, T_2, T_1 * r.i, "without losses");
+  STEP_TO(r, F_t, in.P / v, "mean pull");
+  STEP(q, is_set(in.q) ? in.q : 0.0 * kg_per_m,
+       is_set(in.q) ? "mass per length" : "not given: sag and centrifugal force left out");
+  STEP(g, 9.81 * m_per_s2, "gravity");
+  STEP_TO(r, F_c, q * v * v, "centrifugal force, [Chain-laws]");
+  STEP_TO(r, F_f, in.K_f * q * g * r.a, "pull due to the sag of the slack strand, [Vunivere]");
+  STEP_TO(r, F, in.K_A * F_t + F_c + F_f, "maximum pull; service factor included");
+  STEP_TO(r, F_W, in.K_A * F_t + 2.0 * F_f, "both strands, [Vunivere]; the centrifugal force does not load the shafts");
+}
+
+/// The teeth of the sprockets are less deep than a pitch, so that the root circles are larger than these.
+template <class Tracer>
+void load_shafts(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer&) {
+  const Force none = 0.0 * N.one;
+  r.shaft_1 = shaft_load(in.K_A * r.T_1, {r.F_W, none, none}, r.d_1, in.n_1, 0.0);
+  r.shaft_2 = shaft_load(in.K_A * r.T_2, {r.F_W, none, none}, r.d_2, r.n_2, 0.0);
+  r.shaft_1.d_f = r.d_1 - 2.0 * in.p, r.shaft_2.d_f = r.d_2 - 2.0 * in.p;
+  r.shaft_1.kind = r.shaft_2.kind = Mounted::sprocket;
+}
+
+template <class Tracer>
+void widen(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& trace) {
+  STEP_TO(r, P_c, in.P * in.K_A, "design power, [Ramsey]");
+  if (!is_set(in.P_b)) return;
+  trace.value("odd", r.odd, "1 for an odd number of links");
+  STEP(k_o, r.odd > 0.5 ? 1.25 : 1.0, "a hunting link needs a chain wider by 25 %, [Ramsey]");
+  STEP_TO(r, b_min, k_o * P_c / in.P_b * in.b_R, "design power over rated power per width, [Ramsey]");
+  STEP_TO(r, u_b, b_min / in.b, "required / actual width");
+}
+
+template <class Tracer>
+void hold_together(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& trace) {
+  if (!is_set(in.F_u)) return;
+  STEP_TO(r, u_F, r.F / in.F_u, "the maximum pull must not break the chain");
+  if (!(r.F > 0.0 * N)) return;
+  STEP_TO(r, S_dyn, in.F_u / r.F, "with the service factor");
+  if (!is_set(in.S_min)) return;
+  STEP_TO(r, u_S, in.S_min / S_dyn, "required / calculated safety factor");
+}
+
+}  // namespace
+
+bool InvertedTooth::sprockets_apart(const Input& in) { return stand_apart(in); }
+FieldFault InvertedTooth::sprockets_touch(const Input& in) { return touching(in); }
+bool InvertedTooth::links_reach(const Input& in) { return reach_around(in); }
+FieldFault InvertedTooth::too_few_links(const Input& in) { return too_short(in); }
+
+template <class Tracer>
+InvertedTooth::Result InvertedTooth::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  lay_links(in, r, trace);
+  lay_sprockets(in, r, trace);
+  pull_silently(in, r, trace);
+  load_shafts(in, r, trace);
+  widen(in, r, trace);
+  hold_together(in, r, trace);
+  return r;
+}
+
+template InvertedTooth::Result InvertedTooth::evaluate(const Input&, NoTrace&);
+template InvertedTooth::Result InvertedTooth::evaluate(const Input&, Trace&);
+
+std::vector<figure::Figure> InvertedTooth::figures(const Input& in, const Result& r) {
+  belt::TwoWheels w;
+  w.d_1 = in_si(r.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);
+  w.alpha_1 = r.alpha_1, w.alpha_2 = r.alpha_2;
+  w.n_1 = in_si(in.n_1), w.n_2 = in_si(r.n_2);
+  belt::Pulls pulls;
+  pulls.tight_symbol = "F", pulls.tight = in_si(r.F);
+  pulls.symbol = "F_W", pulls.R = pulls.R_x = in_si(r.F_W), pulls.R_y = 0.0;
+  auto drawing = std::make_shared<figure::Drawing>();
+  drawing->views = {belt::drive_view(w, pulls)};
+  return {{"chain", "The drive on its pitch circles: 1 drives, clockwise as drawn, so that its tight span lies below",
+           figure::Drawn(std::move(drawing))}};
+}
+
+}  // namespace loadpath::chain
+
+template const loadpath::Calculator& loadpath::erased<loadpath::chain::InvertedTooth>();

@@ -319,9 +319,10 @@ constexpr auto choices_of(Roller::Lubrication) {
 
 constexpr auto choices_of(Roller::Loaded) {
   using Loaded = Roller::Loaded;
-  return std::array{ChoiceName<Loaded>{Loaded::upper, "upper", "upper strand: the slack strand hangs free below"},
-                    ChoiceName<Loaded>{Loaded::lower, "lower",
-                                       "lower strand: the slack strand sags toward it; holds the teeth, [B40]"}};
+  return std::array{
+      ChoiceName<Loaded>{Loaded::upper, "upper", "upper strand: the slack strand hangs free below"},
+      ChoiceName<Loaded>{Loaded::lower, "lower",
+                         "lower strand: the slack strand sags toward it; stays in the teeth better, [B40]"}};
 }
 
 }  // namespace loadpath::chain

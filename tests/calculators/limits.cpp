@@ -376,7 +376,7 @@ const Side pulleys[] = {
     {"chain.inverted_tooth", "u_F", over, "F_u", R"("4.2 kN")", R"("4.1 kN")"},
     {"chain.inverted_tooth", "u_S", over, "S_min", "13.1", "13.2"},
     {"chain.roller", "g_s", over, "a", R"("13900 mm")", R"("14100 mm")", "theta = \"0 deg\"\nloaded = \"lower\""},
-    {"chain.roller", "theta_c", outside, "theta", R"("-60 deg")", R"("-61 deg")"},
+    {"chain.roller", "theta_c", outside, "theta", R"("-59.9 deg")", R"("-61 deg")"},
     {"chain.roller", "v_share", outside, "n_1", R"("670 rpm")", R"("680 rpm")"},
     {"chain.roller", "v_share", outside, "n_1", R"("1349 rpm")", R"("1351 rpm")", R"(lubrication = "bath")"},
     {"chain.roller", "u_p", over, "p_adm", R"("22 MPa")", R"("21 MPa")"},

@@ -26,7 +26,7 @@ belt::Flat::Input fan() {
   return in;
 }
 
-/// The motor of 400 kg hangs 300 mm beside a pivot at this distance from the line of centres.
+/// A motor of 400 kg, 300 mm from a pivot at this distance from the line of centres.
 belt::Flat::Input on_pivot(double h_P) {
   belt::Flat::Input in = fan();
   in.K_A = 1.2, in.b = 100.0 * mm;

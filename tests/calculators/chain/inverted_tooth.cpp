@@ -85,7 +85,7 @@ TEST_SUITE("inverted-tooth chain") {
     CHECK(rel(in_si(solve(in).b_min), 10.5 * 0.0254) < 1e-12);
   }
 
-  TEST_CASE("pulls by an independent computation") {
+  TEST_CASE("forces and safety factor by an independent computation") {
     const auto r = solve(blower());
     CHECK(r.X == 130.0);
     CHECK(rel(in_si(r.a), 0.497703358096724) < 1e-10);

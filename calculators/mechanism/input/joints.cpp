@@ -205,7 +205,7 @@ mechanism::Joint joint_values(const planar::Joint& j) {
                     in_si(j.c) + in_si(j.c_turn),
                     1.0 - j.efficiency,
                     1.0 - efficiency_back};
-  if (is_set(j.mu_s) && is_set(j.v_s) && j.mu > 0.0) {
+  if (is_set(j.v_s) && j.mu > 0.0 && j.mu_s > j.mu) {
     joint.friction.rise = j.mu_s / j.mu - 1.0;
     joint.friction.stribeck_speed = in_si(j.v_s);
     joint.friction.stribeck_exponent = j.delta_s;

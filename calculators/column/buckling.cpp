@@ -203,8 +203,25 @@ bool is_tube_of_metal(const Input& in) {
   return is_set(plates_of(in).d) && !is_solid(in) && in_si(in.E) >= 1e9 * least_E && in_si(in.E) <= 1e9 * most_E;
 }
 
-/// The limits of class 3 are those of steel: of another material nothing is known of flat walls. In tension none of
-/// them buckles.
+/// The walls of a box of aluminium, all of them supported at both edges: the limit of welded parts of material class B,
+/// the lowest of table 6.2 of [EN1999-1-1].
+template <class Tracer>
+void judge_box(double of_steel, Result& r, Tracer& trace) {
+  const double r_steel =
+      trace.value("r_steel", of_steel, "width/thickness over 42 sqrt(235 MPa/R_e), class 3 of steel");
+  STEP_TO(r, r_class, r_steel * 42.0 * sqrt(235.0) / (15.0 * sqrt(250.0)),
+          "width/thickness over 15 sqrt(250 MPa/R_e), class 3 of welded internal parts, [EN1999-1-1]");
+}
+
+bool is_box_of_aluminium(const Input& in) {
+  const Plates plates = plates_of(in);
+  const bool is_box = plates.kind == SectionKind::welded_box || plates.kind == SectionKind::hot_hollow ||
+                      plates.kind == SectionKind::cold_hollow;
+  return is_box && !is_set(plates.d) && in.E >= 65.0 * GPa && in.E <= 75.0 * GPa;
+}
+
+/// The limits of class 3 are those of steel: of open sections of another material none is known. In tension no wall
+/// buckles.
 template <class Tracer>
 void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
   const double ratio = is_set(in.R_e) ? class_ratio(plates_of(in), in.R_e) : unset<double>;
@@ -216,6 +233,7 @@ void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
   }
   if (!is_steel(in) && has_modulus_of_steel(in)) return;
   if (ratio > 0.0 && !has_modulus_of_steel(in) && is_tube_of_metal(in)) return judge_tube(in, ratio, r, trace);
+  if (ratio > 0.0 && is_box_of_aluminium(in)) return judge_box(ratio, r, trace);
   if (ratio > 0.0) {
     STEP_TO(r, x_E, in.E / (210.0 * GPa), "the limits of the walls are those of steel");
   }

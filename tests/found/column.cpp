@@ -117,6 +117,18 @@ n_t = 2
     CHECK(of(tube("32 mm", "12 GPa"), "local") == "not-covered");  // timber
   }
 
+  TEST_CASE("the walls of a box of aluminium: width/thickness up to 15 sqrt(250 MPa/R_e)") {
+    const auto square = [](const std::string& t, const std::string& E = "70 GPa") {
+      return "d = \nsigma_P = \nkind = \"welded_box\"\nh = \"150 mm\"\nb = \"150 mm\"\nt_w = \"" + t + "\"\nE = \"" +
+             E + "\"\nR_e = \"200 MPa\"\nP = \"30 kN\"\nl = \"2 m\"\nends = \"pinned_pinned\"\nn_st = 3";
+    };
+    const ExampleStep thick("column.buckling", square("8 mm"));
+    CHECK(std::abs(thick("r_class") - 134.0 / 8.0 / (15.0 * std::sqrt(250.0 / 200.0))) < 1e-9);
+    CHECK(of(square("8 mm"), "local") == "pass");
+    CHECK(of(square("7.5 mm"), "local") == "not-covered");           // 18 of 16.8
+    CHECK(of(square("8 mm", "100 GPa"), "local") == "not-covered");  // of another metal
+  }
+
   TEST_CASE("A18: the classes of steel say nothing of aluminium, nor do its buckling curves") {
     CHECK(of(box(10.0, "70 GPa"), "local") == "not-covered");
     CHECK(of(box(10.0, "210 GPa") + "material_class = \"other\"", "local") == "not-judged");

@@ -252,7 +252,21 @@ class ReductionCheck {
     if (!is_demand || !is_whole || operand.expression.is_reference()) return false;
     const auto pair = pair_of(operand);
     if (pair && operand.path == "T" && is_one_of_outputs(step_, project_, shaft_of_torque(pair->path))) return false;
-    return pair && std::abs(largest(pair->taken).value) < least_efficiency * std::abs(largest(pair->source).value);
+    if (!pair) return false;
+    const double taken = std::abs(largest(pair->taken).value) * factor_applied_again(pair->path);
+    return taken < least_efficiency * std::abs(largest(pair->source).value);
+  }
+
+  /// The application factor that a load holds, and that this step applies, as far as both agree: "=belts.shaft_2.T /
+  /// values.K_A" with K_A = "=values.K_A" is the whole load. A load that still holds it is refused with a K_A.
+  [[nodiscard]] double factor_applied_again(const std::string& load) const {
+    const auto [name, rest] = split_step(load);
+    const Step* const source = project_.find(name);
+    const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);
+    const auto factors = listed_keys(field == nullptr ? "" : field->factors);
+    if (std::ranges::find(factors, "K_A") == factors.end()) return 1.0;
+    const double held = magnitude_at(project_, name + ".K_A"), own = own_value(step_, project_, "K_A");
+    return held > 1.0 && own > 1.0 ? std::min(held, own) : 1.0;
   }
 
   /// "sh" of "sh.T".

@@ -132,4 +132,20 @@ TEST_SUITE("found factors elsewhere") {
       CHECK(first_error_of(key(with + start + K_A)).find("K_A would be applied twice: 'T'") != std::string::npos);
     }
   }
+
+  TEST_CASE("a torque divided by its factor, in a step that applies this factor, is the whole torque") {
+    const auto key = [](const std::string& T, const std::string& K_A) {
+      const std::string text =
+          "[values]\nK_A = 1.25\n\n[wheels]\ncalculator = \"drive.friction_wheels\"\nP = \"1.5 kW\"\nK_A = "
+          "\"=values.K_A\"\nn_1 = \"700 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"600 mm\"\nb = \"80 mm\"\npair = "
+          "\"leather\"\nq_adm = \"30 N/mm\"\n\n[key]\ncalculator = \"shaft.key\"\nT = \"" +
+          T + "\"\nK_A = " + K_A +
+          "\ntorque = \"one_way\"\nd = \"25 mm\"\nkey = \"8x7\"\nl = \"40 mm\"\nl_n = \"45 mm\"\n"
+          "R_e_1 = \"370 MPa\"\nR_e_2 = \"200 MPa\"\nR_e_k = \"420 MPa\"\n";
+      return mode_of(solved_as_found(text), "key", "hub");
+    };
+    CHECK(key("=wheels.shaft_2.T/values.K_A", "\"=values.K_A\"") == "pass");
+    CHECK(key("=0.8*wheels.shaft_2.T/values.K_A", "\"=values.K_A\"") == "not-judged");
+    CHECK(key("=wheels.shaft_2.T/1.25", "1") == "not-judged");
+  }
 }

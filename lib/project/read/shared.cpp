@@ -364,6 +364,15 @@ std::vector<std::pair<std::string, Value>> Values::unused() const {
   return quantities;
 }
 
+std::vector<std::pair<std::string, std::string>> Values::unused_words() const {
+  std::vector<std::pair<std::string, std::string>> words;
+  for (const auto& [name, shared] : all_) {
+    const bool is_word = shared.tree.type == Tree::Type::text && !shared.is_literal && !shared.expression;
+    if (!shared.is_used && is_word) words.emplace_back(name, shared.tree.text);
+  }
+  return words;
+}
+
 void Values::warn_of_unused(std::vector<Issue>& issues) const {
   if (!told_.empty()) return;  // a name that was mistyped may have meant it
   for (const auto& [name, shared] : all_) {

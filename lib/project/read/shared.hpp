@@ -59,6 +59,8 @@ class Values {
   void set(const std::string& name, double si);
   /// Quantities that nothing refers to, by name.
   [[nodiscard]] std::vector<std::pair<std::string, Value>> unused() const;
+  /// Texts without a number that nothing refers to, by name: "full" of a vacuum.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> unused_words() const;
   /// A warning for every value that nothing refers to.
   void warn_of_unused(std::vector<Issue>& issues) const;
 

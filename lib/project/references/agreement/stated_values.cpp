@@ -1,6 +1,8 @@
 #include "lib/project/references/agreement/stated_values.hpp"
 
 #include "lib/calculator/strength_bounds.hpp"
+#include "lib/project/references/agreement/drive_lines.hpp"
+#include "lib/project/references/agreement/stated_names.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -9,12 +11,15 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace loadpath::project {
 
 namespace {
 
 constexpr double as_stated = 1e-6;
+constexpr double as_typed = 1e-3;        // of values with few digits
+constexpr double atmosphere = 101325.0;  // Pa, of a full vacuum
 
 const Dimension pressure = Dimension::of(-1, 1, -2);
 const Dimension heat = [] {
@@ -23,13 +28,7 @@ const Dimension heat = [] {
   return dimension;
 }();
 
-/// "start" of "f_start"; the name where it has no index.
-std::string_view index_of(std::string_view name) { return name.substr(name.rfind('_') + 1); }
-
-template <std::size_t size>
-bool is_one_of(std::string_view word, const std::array<std::string_view, size>& words) {
-  return std::ranges::find(words, word) != words.end();
-}
+const Dimension duration = Dimension::of(0, 0, 1);
 
 /// An entry of [values].
 struct Stated {
@@ -51,9 +50,14 @@ class StatedCheck {
       const Stated stated{name, value.si.front()};
       if (dimension.is_number()) compare_peak(stated), compare_repetitions(stated);
       if (dimension == heat) compare_temperature(stated);
-      if (dimension == pressure) compare_vacuum(stated);
+      if (dimension == pressure && is_of_vacuum(name)) compare_vacuum(stated);
+      if (dimension == duration && is_of_life(name)) compare_life(stated);
       compare_same_name(stated, dimension);
     }
+    for (const auto& [name, word] : project_.values.unused_words()) {
+      if (is_of_vacuum(name) && word == "full") compare_vacuum({name, atmosphere});
+    }
+    compare_years();
     return std::move(found_);
   }
 
@@ -65,22 +69,51 @@ class StatedCheck {
   }
   [[nodiscard]] double own(const std::string& key) const { return own_value(step_, project_, key); }
 
-  /// "f_start = 3" next to f_max = 1, "k_start" next to k_max.
+  /// Whether a number is named as a peak factor: "k_start", "f_max", "start_factor", "shock"; "n_start" is a count.
+  static bool is_peak_factor(std::string_view name) {
+    if (!is_of_peak(name)) return false;
+    const bool is_alone = name.find('_') == std::string_view::npos;
+    return (is_alone && name != "max") || has_word(name, {"k", "f", "factor"});
+  }
+
+  /// The peak factor of the step: its input, and by how much it covers a peak; empty if it has none.
+  [[nodiscard]] std::pair<std::string, double> own_peak() const {
+    for (const FieldInfo& factor : step_.input().calculator->input->fields) {
+      const std::string_view key = factor.key;
+      if ((key == "k_max" || key == "f_max") && factor.dimension.is_number() && own(factor.key) >= 1.0)
+        return {factor.key, own(factor.key)};
+    }
+    if (field("T_max") != nullptr && field("T") != nullptr) return {"T_max", peak_factor_of(step_, project_)};
+    return {};
+  }
+
+  /// "f_start = 3" next to f_max = 1, "k_start" next to k_max, or to the T_max of a key.
   void compare_peak(const Stated& stated) {
     constexpr double most = 10.0;
-    constexpr std::array<std::string_view, 9> peaks{"start", "starting", "max",   "peak",    "jam",
-                                                    "stall", "shock",    "brake", "overload"};
-    if (stated.name.find('_') == std::string::npos || !is_one_of(index_of(stated.name), peaks)) return;
-    for (const FieldInfo& factor : step_.input().calculator->input->fields) {
-      const std::string key = factor.key;
-      if (!key.ends_with("_max") || key[0] != stated.name[0] || !factor.dimension.is_number()) continue;
-      const double here = own(key);
-      if (factor.is_load || !(here >= 1.0) || !(stated.si > (1.0 + as_stated) * here) || stated.si > most) continue;
-      add(key,
-          say("values.{1} = {2} acts on no step, and {3} is {4}: refer to it, delete it, or justify it: because.{3} "
-              "= \"...\"",
-              stated.name, format_number(stated.si, 4), key, format_number(here, 4)));
-    }
+    if (!(stated.si <= most) || !is_peak_factor(stated.name)) return;
+    const auto [key, here] = own_peak();
+    if (key.empty()) return compare_shock(stated);
+    if (!(stated.si > (1.0 + as_typed) * here)) return;
+    add(key,
+        say("values.{1} = {2} acts on no step, and {3} covers a peak of {4} times the load: refer to it, delete it, or "
+            "justify it: because.{3} = \"...\"",
+            stated.name, format_number(stated.si, 4), key, format_number(here, 4)));
+  }
+
+  /// A shock of a machine none of whose steps has a peak factor is one of its application factor.
+  void compare_shock(const Stated& stated) {
+    const FieldInfo* const K_A = field("K_A");
+    if (K_A == nullptr || !K_A->is_factor) return;
+    const bool has_peak = std::ranges::any_of(project_.steps, [](const auto& step) {
+      const Calculator* const calculator = step->input().calculator;
+      return calculator != nullptr && (find_field(calculator->input->fields, "k_max") != nullptr ||
+                                       find_field(calculator->input->fields, "T_max") != nullptr);
+    });
+    const double here = own("K_A");
+    if (has_peak || !(stated.si > (1.0 + as_typed) * here)) return;
+    add("K_A", say("values.{1} = {2} acts on no step, and K_A is {3}: refer to it, delete it, or justify it: "
+                   "because.K_A = \"...\"",
+                   stated.name, format_number(stated.si, 4), format_number(here, 4)));
   }
 
   /// "days = 7300" next to n_req = 1.
@@ -95,17 +128,56 @@ class StatedCheck {
                      stated.name, format_number(stated.si, 6), format_number(here, 6)));
   }
 
+  /// "life = 40000 h" next to L_h = 20000 h.
+  void compare_life(const Stated& stated) {
+    if (stated.name == "L_h") return;  // under its own name
+    const double here = own("L_h");
+    if (!(stated.si > (1.0 + as_typed) * here)) return;
+    add("L_h", say("values.{1} = {2} acts on no step, and L_h is {3}: refer to it, delete it, or justify it: "
+                   "because.L_h = \"...\"",
+                   stated.name, format_quantity(stated.si, "h", 5), format_quantity(here, "h", 5)));
+  }
+
+  /// "hours_per_day" and "years", of working days, next to a shorter required life.
+  void compare_years() {
+    constexpr double days = 250.0;
+    double years = std::nan(""), hours = std::nan("");
+    for (const auto& [name, value] : project_.values.unused()) {
+      if (name == "years" && value.signature.dimension.is_number()) years = value.si.front();
+      if (value.signature.dimension == duration && has_word(name, {"day", "daily"})) hours = value.si.front();
+    }
+    const double life = years * days * hours, here = own("L_h");
+    if (!(life > (1.0 + as_typed) * here)) return;
+    add("L_h", say("the years and hours of [values] act on no step: {1} on 250 days a year, and L_h is {2}: refer to "
+                   "them, delete them, or justify it: because.L_h = \"...\"",
+                   format_quantity(life, "h", 5), format_quantity(here, "h", 5)));
+  }
+
+  /// The value of an input: typed, of a row, or the usual one.
+  [[nodiscard]] double known(const std::string& key) const {
+    constexpr double usual_reliability = 0.9;  // of a rating life
+    const double here = own(key);
+    if (key == "R" && std::isnan(here) && field("L_h") != nullptr) return usual_reliability;
+    return std::isnan(here) ? magnitude_at(project_, step_.name() + "." + key) : here;
+  }
+
+  /// Whether a larger value asks for more than the step has: a life, a reliability, an allowance for corrosion.
+  [[nodiscard]] bool asks_for_more(const Stated& stated, double here) const {
+    if (stated.name == "R") return here >= 0.5 && stated.si < 1.0 && stated.si > here;
+    const bool is_allowance =
+        stated.name == "c" && std::string_view(step_.input().calculator->id).starts_with("vessel.");
+    return (stated.name == "L_h" || is_allowance) && stated.si > (1.0 + as_stated) * here;
+  }
+
   /// A required life above, or a strength below that of the step under its own name.
   void compare_same_name(const Stated& stated, const Dimension& dimension) {
     const FieldInfo* const same = field(stated.name);
     if (same == nullptr || !(same->dimension == dimension) || same->is_load) return;
-    if (!step_.input().reading.typed.contains(stated.name)) return;
-    const double here = own(stated.name);
-    const bool is_short = stated.name == "L_h" && stated.si > (1.0 + as_stated) * here;
     const bool names_strength =
         stated.name == "R_e" || stated.name == "R_m" || means(*step_.input().calculator, stated.name, &is_strength);
+    const double here = known(stated.name);
     const bool is_weak = names_strength && stated.si < (1.0 - as_stated) * here;
-    if (!is_short && !is_weak) return;
+    if (!asks_for_more(stated, here) && !is_weak) return;
     add(stated.name,
         say("values.{1} = {2} acts on no step, and {1} is {3} here: refer to it, delete it, or justify it: "
             "because.{1} = \"...\"",
@@ -120,18 +192,22 @@ class StatedCheck {
     for (const char* const key : {"R_e", "R_m", "sigma_adm", "tau_adm", "sigma_D", "tau_D", "sigma_B"}) {
       if (field(key) != nullptr && !std::isnan(own(key))) return key;
     }
+    if (std::string_view(step_.input().calculator->id) == "bearing.rolling") return "C";  // its steel is tempered
     return material_of(step_).empty() || field("R_e") == nullptr ? "" : "R_e";
   }
 
   /// A temperature of the part above the limit of strengths at room temperature.
   void compare_temperature(const Stated& stated) {
-    constexpr double most = 373.15;  // 100 degC: of steels but fine-grained ones in [FKM], from memory
-    constexpr std::array<std::string_view, 10> states{"service", "operating", "operation", "work",  "working",
-                                                      "design",  "max",       "wall",      "metal", "part"};
+    constexpr double most = 373.15;             // 100 degC: of steels but fine-grained ones in [FKM], from memory
+    constexpr double most_of_bearing = 393.15;  // 120 degC: dimensions of rolling bearings, from memory
     const std::string_view name = stated.name;
     const bool is_temperature = name.starts_with("t_") || name.starts_with("T_") || name.starts_with("theta_");
-    if (!(stated.si > most) || !is_temperature || !is_one_of(index_of(name), states)) return;
+    const bool is_of_part = (is_temperature && has_word(name, {"service", "operating", "operation", "work", "working",
+                                                               "design", "max", "wall", "metal", "part"})) ||
+                            has_word(name, {"ambient", "temperature"}) || has_only_words(name, {"t", "theta"});
+    if (!(stated.si > most) || !is_of_part || has_word(name, {"join", "joining", "temper", "tempering"})) return;
     const std::string key = heated_input();
+    if (key == "C" && stated.si <= most_of_bearing) return;
     if (key.empty() || (key == "T" && own(key) >= stated.si)) return;
     add(key,
         say("values.{1} = {2} acts on no step, and strengths at room temperature apply up to {3}: give the strength "
@@ -148,7 +224,7 @@ class StatedCheck {
 
   /// A vacuum that is higher than the external pressure, or that no step assesses a wall for.
   void compare_vacuum(const Stated& stated) {
-    if (stated.name[0] != 'p' || index_of(stated.name) != "vacuum" || step_.input().accepted.contains("vacuum")) return;
+    if (step_.input().accepted.contains("vacuum")) return;
     const double si = std::abs(stated.si), p_e = own("p_e");
     const bool is_wall = std::string_view(step_.input().calculator->id).starts_with("vessel.");
     if (!is_wall || !(p_e < (1.0 - as_stated) * si || (std::isnan(p_e) && !is_vacuum_assessed()))) return;

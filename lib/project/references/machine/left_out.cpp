@@ -14,15 +14,15 @@ namespace loadpath::project {
 namespace {
 
 constexpr double implausible_ratio =
-    10.0;  // times the load of the step: beyond, it is another quantity of the same dimension
+    50.0;  // times the load of the step: beyond, it is another quantity of the same dimension
 
-/// Whether a value of [values] is named as such a load of a start, a jam or a test: "T_start", "F_max" of T and F;
-/// other names may be notes.
+/// Whether a value of [values] is named as such a load, or as one of a start, a jam or a test: "F_r", "T_start",
+/// "F_max" of T and F; other names may be notes.
 bool is_named_as_peak(const std::string& name, const std::string& symbol) {
   constexpr std::array ends{"start", "starting", "max",   "peak", "jam", "stall",
                             "brake", "braking",  "shock", "test", "t"};
   const std::size_t end = name.rfind('_');
-  if (end == std::string::npos) return name == symbol;
+  if (end == std::string::npos || name == symbol) return name == symbol;
   return name[0] == symbol[0] && std::ranges::find(ends, name.substr(end + 1)) != ends.end();
 }
 

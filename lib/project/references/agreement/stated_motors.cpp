@@ -1,0 +1,119 @@
+#include "lib/project/references/agreement/stated_motors.hpp"
+
+#include "lib/project/references/agreement/stated_names.hpp"
+#include "lib/project/references/origins.hpp"
+#include "lib/project/references/references.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double slip = 0.1;      // of the speed of a motor
+constexpr double weakest = 0.95;  // power of the motor over that of the drive: rounded values
+
+const Dimension power = Dimension::of(2, 1, -3);
+const Dimension work_or_torque = Dimension::of(2, 1, -2);
+const Dimension rate = Dimension::of(0, 0, -1);
+
+constexpr std::array speeds{"n_1", "n", "n_2"};
+
+/// The speed that a drive starts from, if it is typed in the step: "n_1" of a pair, "n" of a bearing.
+std::string typed_speed(const Step& step) {
+  for (const char* const key : {"n_1", "n"}) {
+    if (step.input().calculator == nullptr || !step.input().reading.typed.contains(key)) continue;
+    const FieldInfo* const field = find_field(step.input().calculator->input->fields, key);
+    if (field != nullptr && field->dimension.without_angle() == rate) return key;
+  }
+  return {};
+}
+
+bool is_first_of_drive(const Step& step, const Project& project) {
+  const auto first = std::ranges::find_if(project.steps, [](const auto& one) { return !typed_speed(*one).empty(); });
+  return first != project.steps.end() && first->get() == &step;
+}
+
+/// Whether a shaft of the file has this speed, but for the slip: of an input, a result, or a train.
+bool is_speed_of_shaft(double n, const Project& project) {
+  const auto is_it = [&](double there) { return std::abs(std::abs(there) - std::abs(n)) <= slip * std::abs(n); };
+  return std::ranges::any_of(project.steps, [&](const auto& step) {
+    if (step->input().calculator == nullptr) return false;
+    for (const char* const key : speeds) {
+      if (is_it(own_value(*step, project, key)) || is_it(magnitude_at(project, step->name() + "." + key))) return true;
+    }
+    for (int k = 1;; ++k) {
+      const double there = magnitude_at(project, step->name() + ".shafts[" + std::to_string(k) + "].n");
+      if (std::isnan(there)) return false;
+      if (is_it(there)) return true;
+    }
+  });
+}
+
+bool is_motor(std::string_view name) { return has_word(name, {"motor", "mot", "engine"}); }
+
+class MotorCheck {
+ public:
+  MotorCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    speed_ = typed_speed(step_);
+    if (speed_.empty() || !is_first_of_drive(step_, project_)) return {};
+    for (const auto& [name, value] : project_.values.unused()) {
+      const Dimension& dimension = value.signature.dimension;
+      const double si = std::abs(value.si.front());
+      if (dimension.without_angle() == rate) compare_speed(name, si);
+      if (!is_motor(name)) continue;
+      if (dimension == power) compare_power(name, si);
+      if (dimension == work_or_torque) compare_torque(name, si);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void add(const std::string& key, const std::string& name, const std::string& stated, const std::string& here) {
+    found_.push_back({key, say("values.{1} = {2} acts on no step, and the drive has {3}: refer to it, delete it, or "
+                               "justify it: because.{4} = \"...\"",
+                               name, stated, here, key)});
+  }
+
+  /// "n_motor", or "n", which is the speed of no shaft.
+  void compare_speed(const std::string& name, double si) {
+    const bool is_speed = name == "n" || name == "n_1" || (name.starts_with("n_") && is_motor(name));
+    const double here = std::abs(own_value(step_, project_, speed_));
+    if (!is_speed || std::isnan(here) || is_speed_of_shaft(si, project_)) return;
+    add(speed_, name, format_quantity(si, "rpm", 4), speed_ + " = " + format_quantity(here, "rpm", 4));
+  }
+
+  /// A motor that is weaker than its drive.
+  void compare_power(const std::string& name, double si) {
+    const double P = std::abs(own_value(step_, project_, "P"));
+    if (si < weakest * P) add("P", name, format_quantity(si, "kW", 4), "P = " + format_quantity(P, "kW", 4));
+  }
+
+  void compare_torque(const std::string& name, double si) {
+    const double P = std::abs(own_value(step_, project_, "P")), n = std::abs(own_value(step_, project_, speed_));
+    const double T_1 = std::abs(own_value(step_, project_, "T_1")), T = std::isnan(T_1) ? P / n : T_1;
+    if (!(si < weakest * T)) return;
+    add(std::isnan(T_1) ? "P" : "T_1", name, format_quantity(si, "N*m", 4),
+        "a torque of " + format_quantity(T, "N*m", 4));
+  }
+
+  const Step& step_;
+  const Project& project_;
+  std::string speed_;
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> motors_stated_only(const Step& step, const Project& project) {
+  return MotorCheck(step, project).run();
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,24 @@
+// The words of a name of [values]: "T_start" is a torque at a start, "p_ext" an external pressure.
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+
+namespace loadpath::project {
+
+/// Whether one of the words between its underscores is among these, in small or capital letters.
+bool has_word(std::string_view name, std::initializer_list<std::string_view> words);
+
+/// Whether all of them are.
+bool has_only_words(std::string_view name, std::initializer_list<std::string_view> words);
+
+/// Whether a name means a peak: of a start, a jam, a shock.
+bool is_of_peak(std::string_view name);
+
+/// Whether a name means a vacuum or an external pressure: "p_vac", "vacuum", "p_ext".
+bool is_of_vacuum(std::string_view name);
+
+/// Whether a name means a required life: "life", "service_life", "L_req".
+bool is_of_life(std::string_view name);
+
+}  // namespace loadpath::project

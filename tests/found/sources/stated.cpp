@@ -1,0 +1,104 @@
+// Regression tests of [values] that no step takes, under names of their own: peaks, lives, temperatures, a vacuum, a
+// motor.
+#include "tests/found/modes.hpp"
+
+#include <string>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string under(const std::string& values, const std::string& steps) {
+  return "[values]\n" + values + "\n\n" + steps;
+}
+
+/// Whether a step passes a mode with these values, as it does without them.
+bool is_held(const std::string& values, const std::string& steps, std::string_view step, std::string_view mode) {
+  CHECK(mode_of(solved_as_found(steps), step, mode) == "pass");
+  const std::string state = mode_of(solved_as_found(under(values, steps)), step, mode);
+  CHECK((state == "pass" || state == "not-judged"));
+  return state == "not-judged";
+}
+
+const std::string key =
+    "[key]\ncalculator = \"shaft.key\"\nT = \"300 N*m\"\ntorque = \"one_way\"\nd = \"50 mm\"\nkey = \"14x9\"\nl = \"70 "
+    "mm\"\nl_n = \"75 mm\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"300 MPa\"\nR_e_k = \"420 MPa\"\n";
+
+const std::string bearing =
+    "[b]\ncalculator = \"bearing.rolling\"\nbearing = \"6308\"\nF_r = \"2 kN\"\nn = \"1000 rpm\"\nL_h = \"10000 "
+    "h\"\ns_0 = 1.5\n";
+
+const std::string shell =
+    "[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nc = \"1 mm\"\nsigma_adm = \"120 MPa\"\n";
+
+const std::string wheels =
+    "[w]\ncalculator = \"drive.friction_wheels\"\nP = \"1.5 kW\"\nn_1 = \"700 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"600 "
+    "mm\"\nb = \"80 mm\"\npair = \"leather\"\nq_adm = \"30 N/mm\"\n";
+
+}  // namespace
+
+TEST_SUITE("found names of stated values") {
+  TEST_CASE("a peak factor next to the peak torque of a key") {
+    for (const char* const name : {"k_max", "k_start", "start_factor", "T_max_factor", "shock"})
+      CHECK(is_held(std::string(name) + " = 4", key, "key", "hub"));
+    for (const char* const values : {"k_max = 0.9", "n_start = 4", "k_max = 40", "k_wear = 4"})
+      CHECK_FALSE(is_held(values, key, "key", "hub"));
+    CHECK_FALSE(is_held("k_max = 2", key + "T_max = \"600 N*m\"\n", "key", "hub"));
+    CHECK_FALSE(is_held("k_max = 2", key + "because.T_max = \"a clutch limits it\"\n", "key", "hub"));
+  }
+
+  TEST_CASE("a shock next to the application factor of a machine without peak factors") {
+    CHECK(is_held("shock = 3", bearing, "b", "fatigue"));
+    CHECK_FALSE(is_held("shock = 1", bearing, "b", "fatigue"));
+  }
+
+  TEST_CASE("a required life under another name, and a reliability") {
+    for (const char* const values :
+         {"life = \"40000 h\"", "service_life = \"40000 h\"", "R = 0.99", "years = 10\nhours_per_day = \"16 h\""})
+      CHECK(is_held(values, bearing, "b", "fatigue"));
+    for (const char* const values :
+         {"life = \"9000 h\"", "grease_life = \"40000 h\"", "R = 0.5", "years = 1\nhours_per_day = \"16 h\""})
+      CHECK_FALSE(is_held(values, bearing, "b", "fatigue"));
+  }
+
+  TEST_CASE("a larger load under its own name, a peak of it") {
+    for (const char* const values : {"F_r = \"20 kN\"", "F_max = \"60 kN\""})
+      CHECK(is_held(values, bearing, "b", "fatigue"));
+    for (const char* const values : {"F_r = \"1 kN\"", "F_clamp = \"20 kN\""})
+      CHECK_FALSE(is_held(values, bearing, "b", "fatigue"));
+  }
+
+  TEST_CASE("a temperature without an index, and that of the surroundings") {
+    for (const char* const values : {"T = \"400 degC\"", "ambient = \"200 degC\""})
+      CHECK(is_held(values, shell, "shell", "strength"));
+    CHECK(is_held("T = \"200 degC\"", bearing, "b", "fatigue"));
+    for (const char* const values : {"T = \"60 degC\"", "t_join = \"200 degC\"", "T_joining = \"200 degC\""})
+      CHECK_FALSE(is_held(values, shell, "shell", "strength"));
+    CHECK_FALSE(is_held("T = \"110 degC\"", bearing, "b", "fatigue"));
+  }
+
+  TEST_CASE("a vacuum under other names, and a larger allowance for corrosion") {
+    for (const char* const values :
+         {"vacuum = \"-0.1 MPa\"", "p_vac = \"0.1 MPa\"", "p_ext = \"0.1 MPa\"", "vacuum = \"full\"", "c = \"3 mm\""})
+      CHECK(is_held(values, shell, "shell", "strength"));
+    for (const char* const values : {"p_valve = \"1.1 MPa\"", "vacuum = \"none\"", "c = \"0.5 mm\""})
+      CHECK_FALSE(is_held(values, shell, "shell", "strength"));
+  }
+
+  TEST_CASE("a motor that is weaker than its drive, or has another speed") {
+    for (const char* const values :
+         {"P_motor = \"1.1 kW\"", "T_motor = \"10 N*m\"", "n_motor = \"1450 rpm\"", "n = \"1450 rpm\""})
+      CHECK(is_held(values, wheels, "w", "contact"));
+    for (const char* const values : {"P_motor = \"2.2 kW\"", "T_motor = \"30 N*m\"", "n_motor = \"720 rpm\"",
+                                     "n = \"235 rpm\"", "n_target = \"900 rpm\""})
+      CHECK_FALSE(is_held(values, wheels, "w", "contact"));
+  }
+
+  TEST_CASE("a strength below that of the material") {
+    const std::string shaft =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"300 N*m\"\nd = \"60 mm\"\nmaterial = \"C45E\"\nS = 2\n";
+    CHECK(is_held("R_e = \"200 MPa\"", shaft, "shaft", "yield"));
+    CHECK_FALSE(is_held("R_e = \"900 MPa\"", shaft, "shaft", "yield"));
+  }
+}

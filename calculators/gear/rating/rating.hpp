@@ -285,8 +285,13 @@ S_Fmin = 1.4
       Rule<Input>{[](const Input& in) { return !(abs(in.n_1) <= 0.0 * rpm); }, "n_1",
                   "a running gear needs a speed greater than zero"}};
 
+  /// Flanks that are ground and then finished by tumbling, from memory.
+  static double least_roughness(const Input&) { return in_si(0.5 * um); }
   static constexpr std::array bounds{
       Bound<Input>{"f_ma", "the helix slope tolerance of the grade", &least_deviation}.least(),
+      Bound<Input>{"R_z1", "the smoothest ground flanks", &least_roughness}.least(),
+      Bound<Input>{"R_z2", "the smoothest ground flanks", &least_roughness}.least(),
+      Bound<Input>{"nu_40", "the thickest oil of ISO 3448", [](const Input&) { return in_si(3200.0 * mm2_per_s); }},
       Bound<Input>{"pattern", "an unfavourable contact pattern", [](const Input&) { return 0.0; }},
       Bound<Input>{"sigma_Hlim_1", "the best quality of this material in ISO 6336-5",
                    [](const Input& in) { return strength_bounds(in.material_1, in.quality_1, in.H_1).sigma_H; }},

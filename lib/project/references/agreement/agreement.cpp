@@ -1,5 +1,6 @@
 #include "lib/project/references/agreement/agreement.hpp"
 
+#include "lib/project/references/agreement/column_lengths.hpp"
 #include "lib/project/references/agreement/drive_lines.hpp"
 #include "lib/project/references/agreement/ends.hpp"
 #include "lib/project/references/agreement/excitations.hpp"
@@ -13,9 +14,10 @@ namespace loadpath::project {
 std::vector<ReducedLoad> values_in_disagreement(const Step& step, const Project& project) {
   std::vector<ReducedLoad> all;
   if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return all;
-  for (const auto& found : {torques_of_line(step, project), ends_of_vessel(step, project), surfaces_of(step, project),
-                            excitations_of(step, project), sizes_in_disagreement(step, project),
-                            values_stated_only(step, project), motors_stated_only(step, project)})
+  for (const auto& found :
+       {torques_of_line(step, project), ends_of_vessel(step, project), surfaces_of(step, project),
+        excitations_of(step, project), sizes_in_disagreement(step, project), values_stated_only(step, project),
+        motors_stated_only(step, project), lengths_of_columns(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

@@ -20,10 +20,17 @@ std::string_view id_of(const Step& step) {
   return step.input().calculator == nullptr ? std::string_view() : std::string_view(step.input().calculator->id);
 }
 
-/// The key of the radius at the shell, of a cone or an ellipsoid; empty for other steps.
+/// The key of the radius at the shell, of a cone, an ellipsoid or a hemisphere; empty for other steps.
 const char* edge_of(const Step& step) {
-  if (id_of(step) == "vessel.cone") return "R";
+  if (id_of(step) == "vessel.cone" || id_of(step) == "vessel.sphere") return "R";
   return id_of(step) == "vessel.ellipsoid" ? "a" : "";
+}
+
+/// The radius of a shell, or of the shell that a dished end is typed for; NaN of other steps.
+double radius_of_shell(const Step& step, const Project& project) {
+  if (id_of(step) == "vessel.cylinder") return own_value(step, project, "R");
+  const bool is_end = id_of(step) == "vessel.end" && step.input().reading.typed.contains("D_i");
+  return is_end ? 0.5 * own_value(step, project, "D_i") : std::nan("");
 }
 
 /// "values.p", which its pressure was written as.
@@ -32,25 +39,34 @@ std::string pressure_of(const Step& step) {
   return typed == step.input().reading.typed.end() ? "" : typed->second.shared;
 }
 
-/// A cone or an ellipsoid with the pressure of the shells of the file, none of which has its radius.
+/// Whether both have the pressure of the same [values], or the same number.
+bool have_one_pressure(const Step& end, const Step& shell, const Project& project) {
+  const std::string shared = pressure_of(end);
+  if (!shared.empty()) return pressure_of(shell) == shared;
+  const double p = own_value(end, project, "p");
+  return p > 0.0 && std::abs(own_value(shell, project, "p") - p) <= as_typed * p;
+}
+
+/// A cone, an ellipsoid or a hemisphere with the pressure of the shells of the file, none of which has its radius.
 void compare_radius(const Step& end, const Project& project, std::vector<ReducedLoad>& found) {
-  const std::string edge = edge_of(end), pressure = pressure_of(end);
-  if (edge.empty() || pressure.empty() || !end.input().reading.typed.contains(edge)) return;
+  const std::string edge = edge_of(end);
+  if (edge.empty() || !end.input().reading.typed.contains(edge)) return;
   const double own = own_value(end, project, edge);
   const Step* nearest = nullptr;
   double least = 0.0;
   for (const auto& shell : project.steps) {
-    if (id_of(*shell) != "vessel.cylinder" || pressure_of(*shell) != pressure) continue;
-    const double apart = std::abs(own_value(*shell, project, "R") - own);
+    const double R = radius_of_shell(*shell, project);
+    if (std::isnan(R) || !have_one_pressure(end, *shell, project)) continue;
+    const double apart = std::abs(R - own);
     if (std::isnan(apart) || apart <= of_wall * own) return;
     if (nearest == nullptr || apart < least) nearest = shell.get(), least = apart;
   }
   if (nearest == nullptr) return;
   found.push_back(
-      {edge, say("{1} = {2}, and the shell '{3}' of the same pressure {4} has R = {5}: correct one of them, or "
-                 "because.{1} = \"...\" if it closes another vessel",
-                 edge, format_quantity(own, "mm", 4), nearest->name(), pressure,
-                 format_quantity(own_value(*nearest, project, "R"), "mm", 4))});
+      {edge, say("{1} = {2}, and '{3}', with the same pressure, is for R = {4}: correct one of them, or because.{1} = "
+                 "\"...\" if it closes another vessel",
+                 edge, format_quantity(own, "mm", 4), nearest->name(),
+                 format_quantity(radius_of_shell(*nearest, project), "mm", 4))});
 }
 
 /// The pressure of the test at the lowest point, under a column of water.

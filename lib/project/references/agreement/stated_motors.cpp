@@ -15,8 +15,8 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double slip = 0.1;      // of the speed of a motor
-constexpr double weakest = 0.95;  // power of the motor over that of the drive: rounded values
+constexpr double motor_slip = 0.1;      // of the speed of a motor
+constexpr double weakest_motor = 0.95;  // power of the motor over that of the drive: rounded values
 
 const Dimension power = Dimension::of(2, 1, -3);
 const Dimension work_or_torque = Dimension::of(2, 1, -2);
@@ -41,7 +41,7 @@ bool is_first_of_drive(const Step& step, const Project& project) {
 
 /// Whether a shaft of the file has this speed, but for the slip: of an input, a result, or a train.
 bool is_speed_of_shaft(double n, const Project& project) {
-  const auto is_it = [&](double there) { return std::abs(std::abs(there) - std::abs(n)) <= slip * std::abs(n); };
+  const auto is_it = [&](double there) { return std::abs(std::abs(there) - std::abs(n)) <= motor_slip * std::abs(n); };
   return std::ranges::any_of(project.steps, [&](const auto& step) {
     if (step->input().calculator == nullptr) return false;
     for (const char* const key : speeds) {
@@ -93,13 +93,13 @@ class MotorCheck {
   /// A motor that is weaker than its drive.
   void compare_power(const std::string& name, double si) {
     const double P = std::abs(own_value(step_, project_, "P"));
-    if (si < weakest * P) add("P", name, format_quantity(si, "kW", 4), "P = " + format_quantity(P, "kW", 4));
+    if (si < weakest_motor * P) add("P", name, format_quantity(si, "kW", 4), "P = " + format_quantity(P, "kW", 4));
   }
 
   void compare_torque(const std::string& name, double si) {
     const double P = std::abs(own_value(step_, project_, "P")), n = std::abs(own_value(step_, project_, speed_));
     const double T_1 = std::abs(own_value(step_, project_, "T_1")), T = std::isnan(T_1) ? P / n : T_1;
-    if (!(si < weakest * T)) return;
+    if (!(si < weakest_motor * T)) return;
     add(std::isnan(T_1) ? "P" : "T_1", name, format_quantity(si, "N*m", 4),
         "a torque of " + format_quantity(T, "N*m", 4));
   }

@@ -18,7 +18,7 @@ namespace loadpath::project {
 namespace {
 
 constexpr double as_stated = 1e-6;
-constexpr double as_typed = 1e-3;        // of values with few digits
+constexpr double in_few_digits = 1e-3;   // of values with few digits
 constexpr double atmosphere = 101325.0;  // Pa, of a full vacuum
 
 const Dimension pressure = Dimension::of(-1, 1, -2);
@@ -93,7 +93,7 @@ class StatedCheck {
     if (!(stated.si <= most) || !is_peak_factor(stated.name)) return;
     const auto [key, here] = own_peak();
     if (key.empty()) return compare_shock(stated);
-    if (!(stated.si > (1.0 + as_typed) * here)) return;
+    if (!(stated.si > (1.0 + in_few_digits) * here)) return;
     add(key,
         say("values.{1} = {2} acts on no step, and {3} covers a peak of {4} times the load: refer to it, delete it, or "
             "justify it: because.{3} = \"...\"",
@@ -110,7 +110,7 @@ class StatedCheck {
                                        find_field(calculator->input->fields, "T_max") != nullptr);
     });
     const double here = own("K_A");
-    if (has_peak || !(stated.si > (1.0 + as_typed) * here)) return;
+    if (has_peak || !(stated.si > (1.0 + in_few_digits) * here)) return;
     add("K_A", say("values.{1} = {2} acts on no step, and K_A is {3}: refer to it, delete it, or justify it: "
                    "because.K_A = \"...\"",
                    stated.name, format_number(stated.si, 4), format_number(here, 4)));
@@ -132,7 +132,7 @@ class StatedCheck {
   void compare_life(const Stated& stated) {
     if (stated.name == "L_h") return;  // under its own name
     const double here = own("L_h");
-    if (!(stated.si > (1.0 + as_typed) * here)) return;
+    if (!(stated.si > (1.0 + in_few_digits) * here)) return;
     add("L_h", say("values.{1} = {2} acts on no step, and L_h is {3}: refer to it, delete it, or justify it: "
                    "because.L_h = \"...\"",
                    stated.name, format_quantity(stated.si, "h", 5), format_quantity(here, "h", 5)));
@@ -147,7 +147,7 @@ class StatedCheck {
       if (value.signature.dimension == duration && has_word(name, {"day", "daily"})) hours = value.si.front();
     }
     const double life = years * days * hours, here = own("L_h");
-    if (!(life > (1.0 + as_typed) * here)) return;
+    if (!(life > (1.0 + in_few_digits) * here)) return;
     add("L_h", say("the years and hours of [values] act on no step: {1} on 250 days a year, and L_h is {2}: refer to "
                    "them, delete them, or justify it: because.L_h = \"...\"",
                    format_quantity(life, "h", 5), format_quantity(here, "h", 5)));

@@ -65,12 +65,22 @@ bool takes_load_from(const Step& step, const std::string& name) {
   });
 }
 
+/// Whether its load is one of the other as it is: of the driving shaft, say, in place of the driven one.
+bool takes_plain_load_from(const Step& step, const std::string& name) {
+  return std::ranges::any_of(step.input().reading.operands, [&](const Operand& operand) {
+    return operand.leaf.field->is_load && operand.expression.is_reference() &&
+           split_step(operand.expression.references().front().path).first == name;
+  });
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> powers_of_chained(const Step& step, const Project& project) {
   if (step.input().calculator == nullptr) return {};
   const Step* const before = drive_before(step, project);
-  if (before == nullptr || takes_load_from(step, before->name())) return {};
+  if (before == nullptr) return {};
+  const bool is_taken = takes_load_from(step, before->name());
+  if (is_taken && !takes_plain_load_from(step, before->name())) return {};
   const std::string load = load_of(step, project);
   const double own = power_of(step, project);
   const bool is_of_flywheel = is_flywheel(*before);
@@ -82,7 +92,8 @@ std::vector<ReducedLoad> powers_of_chained(const Step& step, const Project& proj
                        "because.{1} = \"...\"",
                        load, format_quantity(own, "kW", 4), before->name(), format_quantity(given, "kW", 4))}};
   }
-  if (own >= least_efficiency * given && own <= most_power * given) return {};
+  // A load that is taken may hold an application factor, and is compared with its source elsewhere.
+  if (own >= least_efficiency * given && (is_taken || own <= most_power * given)) return {};
   return {{load, say("{1} corresponds to {2}, and '{3}', whose output speed is used, transmits {4}; justify it: "
                      "because.{1} = \"...\"",
                      load, format_quantity(own, "kW", 4), before->name(), format_quantity(given, "kW", 4))}};

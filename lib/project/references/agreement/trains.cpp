@@ -1,0 +1,157 @@
+#include "lib/project/references/agreement/trains.hpp"
+
+#include "lib/project/references/origins.hpp"
+#include "lib/project/references/references.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double typed_digits = 1e-3;  // of a speed that is typed twice
+constexpr double creep = 0.05;         // by which wheels turn slower than their stage
+constexpr double losses = 0.85;        // power of the wheels over that of their shaft, at least
+
+std::string_view kind_of_step(const Step& step) {
+  return step.input().calculator == nullptr ? std::string_view() : std::string_view(step.input().calculator->id);
+}
+
+/// Whether a path, "train.shafts[2].T", is within another, "train.shafts[2]".
+bool is_within(const std::string& path, const std::string& part) {
+  return path.starts_with(part) && (path.size() == part.size() || path[part.size()] == '.');
+}
+
+bool refers_into(const Step& step, const std::string& part) {
+  bool found = false;
+  for_each_reference(step.input().reading, [&](const std::string& path) { found = found || is_within(path, part); });
+  return found;
+}
+
+bool is_referred_to(const Project& project, const Step& train, const std::string& part) {
+  return std::ranges::any_of(project.steps, [&](const auto& step) {
+    return step.get() != &train && step->input().reading.record.data != nullptr && refers_into(*step, part);
+  });
+}
+
+double at_shaft(const Project& project, const std::string& train, std::size_t number, const char* key) {
+  return std::abs(magnitude_at(project, train + ".shafts[" + std::to_string(number) + "]." + key));
+}
+
+/// A stage of gears with a module.
+struct GearStage {
+  std::string path;  // "stages.first"
+  double m_n, T;     // torque of its pinion
+  bool is_rated;     // another step refers to it
+};
+
+std::vector<GearStage> gear_stages(const Step& train, const Project& project) {
+  const Record& record = train.input().reading.record;
+  const FieldInfo* const stages = find_field(record.type->fields, "stages");
+  std::vector<GearStage> all;
+  for (std::size_t i = 0; stages != nullptr && i < stages->size(record.data.get()); ++i) {
+    const std::string path = "stages" + element_path(*stages, record.data.get(), i);
+    const std::string number = "stages[" + std::to_string(i + 1) + "]";
+    const double m_n = own_value(train, project, path + ".m_n");
+    if (std::isnan(m_n)) continue;
+    const bool is_rated = is_referred_to(project, train, train.name() + "." + path) ||
+                          is_referred_to(project, train, train.name() + "." + number);
+    all.push_back({path, m_n, at_shaft(project, train.name(), i + 1, "T"), is_rated});
+  }
+  return all;
+}
+
+/// Of two stages, the one with the larger torque and no larger module decides.
+void compare_stages(const Step& train, const Project& project, std::vector<ReducedLoad>& found) {
+  const std::vector<GearStage> stages = gear_stages(train, project);
+  for (const GearStage& stage : stages) {
+    if (stage.is_rated) continue;
+    const auto is_less_loaded = [&](const GearStage& other) {
+      return other.is_rated && stage.T > (1.0 + typed_digits) * other.T && stage.m_n <= other.m_n;
+    };
+    const auto other = std::ranges::find_if(stages, is_less_loaded);
+    if (other == stages.end()) continue;
+    found.push_back(
+        {"stages", say("a step takes the size of {1}, and none that of {2}, which has the larger torque and "
+                       "no larger module: add a step for it, or because.stages = \"...\"",
+                       other->path, stage.path)});
+    return;
+  }
+}
+
+/// The speed of the driven wheel, before its step is solved too.
+double driven_speed(const Step& wheels, const Project& project) {
+  const double i = own_value(wheels, project, "d_2") / own_value(wheels, project, "d_1");
+  return own_value(wheels, project, "n_1") / i * (1.0 - own_value(wheels, project, "epsilon"));
+}
+
+class WheelCheck {
+ public:
+  WheelCheck(const Step& wheels, const Project& project) : wheels_(wheels), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    n_1_ = own_value(wheels_, project_, "n_1"), n_2_ = driven_speed(wheels_, project_);
+    if (!(n_1_ > 0.0) || !(n_2_ > 0.0)) return {};
+    for (const auto& step : project_.steps) {
+      if (kind_of_step(*step) != "drive.train") continue;
+      const std::string& train = step->name();
+      for (std::size_t k = 1; found_.empty() && !std::isnan(at_shaft(project_, train, k + 1, "n")); ++k) {
+        if (refers_into(wheels_, train + ".shafts[" + std::to_string(k) + "]"))
+          compare_ratio(train, k);
+        else if (!refers_into(wheels_, train))
+          compare_power(train, k);
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] bool is_behind(const std::string& train, std::size_t k) const {
+    const double behind = at_shaft(project_, train, k + 1, "n");
+    return std::abs(n_2_ - behind) <= creep * behind;
+  }
+
+  /// Wheels with the load of a shaft turn the next one.
+  void compare_ratio(const std::string& train, std::size_t k) {
+    if (is_behind(train, k)) return;
+    found_.push_back(
+        {"d_2", say("the driven wheel has {1}, and the next shaft of '{2}', whose load is used, has {3}: correct the "
+                    "diameters or the stage, or because.d_2 = \"...\"",
+                    format_quantity(n_2_, "rpm", 4), train,
+                    format_quantity(at_shaft(project_, train, k + 1, "n"), "rpm", 4))});
+  }
+
+  /// Wheels between the speeds of two shafts are the stage between them.
+  void compare_power(const std::string& train, std::size_t k) {
+    const double n = at_shaft(project_, train, k, "n"), P = at_shaft(project_, train, k, "P");
+    if (std::abs(n_1_ - n) > typed_digits * n || !is_behind(train, k)) return;
+    const double given = own_value(wheels_, project_, "P");
+    const double own = std::isnan(given) ? own_value(wheels_, project_, "T_1") * n_1_ : given;
+    if (!(own < losses * P)) return;
+    const char* const load = std::isnan(given) ? "T_1" : "P";
+    found_.push_back({load, say("{1} corresponds to {2}, and the stage of '{3}' between the same speeds transmits {4}: "
+                                "correct one of them, or because.{1} = \"...\"",
+                                load, format_quantity(own, "kW", 4), train, format_quantity(P, "kW", 4))});
+  }
+
+  const Step& wheels_;
+  const Project& project_;
+  double n_1_ = std::nan(""), n_2_ = std::nan("");
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> stages_of_trains(const Step& step, const Project& project) {
+  std::vector<ReducedLoad> found;
+  if (kind_of_step(step) == "drive.train") compare_stages(step, project, found);
+  if (kind_of_step(step) == "drive.friction_wheels") found = WheelCheck(step, project).run();
+  return found;
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,67 @@
+// Regression tests of trains next to the steps of their stages, and of friction wheels behind one another.
+#include "tests/found/modes.hpp"
+
+#include <string>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string wheels(const std::string& name, const std::string& load, const std::string& n_1) {
+  return "[" + name + "]\ncalculator = \"drive.friction_wheels\"\n" + load + "\nn_1 = \"" + n_1 +
+         "\"\nd_1 = \"200 mm\"\nd_2 = \"600 mm\"\nepsilon = 0.02\nb = \"80 mm\"\npair = \"leather\"\n"
+         "q_adm = \"30 N/mm\"\n\n";
+}
+
+std::string train(const std::string& P, const std::string& i) {
+  return "[tr]\ncalculator = \"drive.train\"\nP = \"" + P +
+         "\"\nn_1 = \"700 rpm\"\nstages = [{ name = \"wheels\", kind = \"other\", i = " + i + ", eta = 0.9 }]\n\n";
+}
+
+std::string contact(const std::string& text, std::string_view step) {
+  return mode_of(solved_as_found(text), step, "contact");
+}
+
+}  // namespace
+
+TEST_SUITE("found trains") {
+  TEST_CASE("friction wheels behind others take the torque of the driven wheel") {
+    const std::string first = wheels("w", "P = \"1.5 kW\"\nK_A = 1.25", "700 rpm");
+    CHECK(contact(first + wheels("w2", "T_1 = \"=w.shaft_2.T\"", "=w.n_2"), "w2") != "not-judged");
+    CHECK(contact(first + wheels("w2", "T_1 = \"=w.shaft_1.T\"", "=w.n_2"), "w2") == "not-judged");
+    CHECK(contact(first + wheels("w2", "T_1 = \"=w.shaft_1.T\"\nbecause.T_1 = \"rest drives a pump\"", "=w.n_2"),
+                  "w2") != "not-judged");
+  }
+
+  TEST_CASE("friction wheels between the speeds of a stage have its power") {
+    const std::string own = wheels("w", "P = \"1.5 kW\"", "700 rpm");
+    CHECK(contact(own + train("15 kW", "3.0612"), "w") == "not-judged");
+    CHECK(contact(own + train("1.5 kW", "3.0612"), "w") == "pass");
+    CHECK(contact(own + train("15 kW", "5"), "w") == "pass");  // another machine
+  }
+
+  TEST_CASE("friction wheels with the torque of a shaft turn the next one") {
+    const std::string own = wheels("w", "T_1 = \"=tr.shafts[1].T\"", "700 rpm");
+    CHECK(contact(own + train("1.5 kW", "2"), "w") == "not-judged");
+    CHECK(contact(own + train("1.5 kW", "3"), "w") == "pass");
+  }
+
+  TEST_CASE("of two stages of one module, the one with the larger torque is rated too") {
+    const auto strength = [](const std::string& m_n, const std::string& more) {
+      return mode_of(
+          solved_as_found("[x]\ncalculator = \"drive.train\"\nP = \"5 kW\"\nn_1 = \"1450 rpm\"\nstages = [{ name = "
+                          "\"a\", kind = \"gear\", z_1 = 20, z_2 = 60, m_n = \"3 mm\", eta = 0.97 }, { name = \"b\", "
+                          "kind = \"gear\", z_1 = 20, z_2 = 60, m_n = \"" +
+                          m_n +
+                          "\", eta = 0.97 }]\n\n[g]\ncalculator = \"gear.pair\"\nz_1 = \"=x.stages.a.z_1\"\nz_2 = "
+                          "\"=x.stages.a.z_2\"\nm_n = \"=x.stages.a.m_n\"\nb = \"40 mm\"\nT_1 = \"=x.shafts[1].T\"\n"
+                          "n_1 = \"=x.shafts[1].n\"\ncutting = \"hobbed\"\nK_f = 1.6\nsigma_adm_1 = \"220 MPa\"\n"
+                          "sigma_adm_2 = \"200 MPa\"\n" +
+                          more),
+          "x", "strength");
+    };
+    CHECK(strength("3 mm", "") == "not-judged");
+    CHECK(strength("5 mm", "") == "open");
+  }
+}

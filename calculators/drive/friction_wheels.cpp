@@ -151,6 +151,50 @@ bool Wheels::cones_meet(const Input& in) {
   return in.d_2 / in.d_1 + turn > least && in.d_1 / in.d_2 + turn > least;
 }
 
+namespace {
+
+bool is_soft(const Wheels::Input& in) { return in.pair != Wheels::Pair::unsaid && in.pair != Wheels::Pair::cast_iron; }
+
+/// From the apex to the middle of the contact.
+Length mean_cone_distance(const Wheels::Input& in) {
+  const double delta_1 = std::atan2(std::sin(in.Sigma), in.d_2 / in.d_1 + std::cos(in.Sigma));
+  return in.d_1 / (2.0 * std::sin(delta_1));
+}
+
+}  // namespace
+
+/// The diameters are those of the middle of the contact, half of which lies nearer to the axis.
+bool Wheels::ends_before_axis(const Input& in) {
+  if (!is_set(in.b) || !is_set(in.d_1) || !is_set(in.d_2)) return true;
+  if (in.shape == Shape::bevel) return !cones_meet(in) || in.b < 2.0 * mean_cone_distance(in);
+  if (in.shape != Shape::grooved || !is_set(in.alpha)) return true;
+  return in.b * std::cos(in.alpha) < min(in.d_1, in.d_2);
+}
+
+/// A third of the outer cone distance, as of bevel gears: b = (R_m + b/2)/3.
+double Wheels::most_length_of_cones(const Input& in) {
+  if (in.shape != Shape::bevel || !is_set(in.d_1) || !is_set(in.d_2) || !cones_meet(in)) return unset<double>;
+  return in_si(0.4 * mean_cone_distance(in));
+}
+
+/// Grooves that reach a quarter of the radius to both sides slide by a quarter of the rim speed at their ends.
+double Wheels::most_length_of_flanks(const Input& in) {
+  if (in.shape != Shape::grooved || !is_set(in.alpha) || !is_set(in.d_1) || !is_set(in.d_2)) return unset<double>;
+  return in_si(0.25 * min(in.d_1, in.d_2) / std::cos(in.alpha));
+}
+
+/// Twice what books allow for laminated fabric, the hardest of the soft rims: 40 to 80 N/mm, from memory.
+double Wheels::most_line_load(const Input& in) { return is_soft(in) ? in_si(160.0 * N_per_mm) : unset<double>; }
+double Wheels::most_pressure(const Input& in) { return is_soft(in) ? in_si(150.0 * MPa) : unset<double>; }
+
+/// Rims of cast iron, as of pulleys, from memory; of steel discs the strength in rotation is a reason.
+double Wheels::most_speed(const Input& in) {
+  constexpr double most = 40.0;  // m/s
+  if (!is_set(in.d_1)) return unset<double>;
+  const double bevel = in.shape == Shape::bevel && is_set(in.b) ? 1.2 : 1.0;  // outer over mean diameter
+  return most / (0.5 * bevel * in_si(in.d_1));
+}
+
 template <class Tracer>
 Wheels::Result Wheels::evaluate(const Input& in, Tracer& trace) {
   Result r;

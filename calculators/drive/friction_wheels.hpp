@@ -10,6 +10,7 @@
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
@@ -203,6 +204,7 @@ q_adm = "30 N/mm"
           "q_adm, p_adm")};
 
   static bool cones_meet(const Input& in);
+  static bool ends_before_axis(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.P) != is_set(in.T_1); }, "P, T_1", "give either P or T_1"},
       Rule<Input>{[](const Input& in) { return is_set(in.mu) != (in.pair != Pair::unsaid); }, "mu, pair",
@@ -213,6 +215,8 @@ q_adm = "30 N/mm"
                   "only grooved wheels have a number of grooves: shape = \"grooved\""},
       Rule<Input>{&cones_meet, "Sigma, d_1, d_2",
                   "a wheel would be a disc or a ring at this shaft angle: reduce Sigma, or the ratio of the diameters"},
+      Rule<Input>{&ends_before_axis, "b, alpha, Sigma, d_1, d_2",
+                  "the contact would reach beyond the axis of a wheel or the apex of the cones: reduce b"},
       Rule<Input>{[](const Input& in) { return is_set(in.E_1) == is_set(in.E_2); }, "E_1, E_2",
                   "give the modulus of elasticity of both wheels"},
       Rule<Input>{[](const Input& in) { return !is_set(in.p_adm) || is_set(in.E_1); }, "p_adm, E_1, E_2",
@@ -220,6 +224,19 @@ q_adm = "30 N/mm"
       // It does not name b: it is asked before the search, where only a searched b is missing.
       Rule<Input>{[](const Input& in) { return is_set(in.b) || is_set(in.q_adm) || is_set(in.p_adm); }, "q_adm, p_adm",
                   "without b, the search for it needs a limit: give q_adm of soft rims, or p_adm with E_1 and E_2"}};
+
+  static double most_length_of_cones(const Input& in);
+  static double most_length_of_flanks(const Input& in);
+  static double most_line_load(const Input& in);
+  static double most_pressure(const Input& in);
+  static double most_speed(const Input& in);
+  static constexpr std::array bounds{
+      Bound<Input>{"b", "a third of the cone distance", &most_length_of_cones},
+      Bound<Input>{"b", "grooves as deep as a quarter of the smaller wheel", &most_length_of_flanks},
+      Bound<Input>{"mu", "dry soft rims", [](const Input&) { return 0.75; }},
+      Bound<Input>{"q_adm", "soft rims", &most_line_load},
+      Bound<Input>{"p_adm", "soft rims", &most_pressure},
+      Bound<Input>{"n_1", "a rim speed of 40 m/s", &most_speed}};
 
   static constexpr bool turns = true;
   static constexpr std::array meanings{Meaning{"P", "mean"}};

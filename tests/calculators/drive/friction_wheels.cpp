@@ -38,8 +38,11 @@ Wheels::Input bevel() {
 /// Whether the reader says this of the wheels with other lines.
 bool says(const std::string& lines, const std::string& part) {
   std::vector<Issue> issues;
-  project::read_project("[w]\ncalculator = \"drive.friction_wheels\"\nn_1 = \"600 rpm\"\nb = \"60 mm\"\n" + lines,
-                        "w.toml", catalogue(), issues);
+  project::read_project(
+      "[w]\ncalculator = \"drive.friction_wheels\"\nn_1 = \"600 rpm\"\n" +
+          std::string(lines.find("b = ") == 0 || lines.find("\nb = ") != std::string::npos ? "" : "b = \"60 mm\"\n") +
+          lines,
+      "w.toml", catalogue(), issues);
   std::string all;
   for (const Issue& i : issues) all += i.key + ": " + i.message.text() + " | " + i.hint.text() + "\n";
   CAPTURE(all);
@@ -140,6 +143,20 @@ TEST_SUITE("friction wheels") {
     const auto r = solve(in);
     CHECK(rel(r.F_p, plain.F_p) < 1e-12);
     CHECK(rel(r.p_H, plain.p_H) < 1e-12);
+  }
+
+  TEST_CASE("the contact ends before the axis of a wheel and the apex of the cones") {
+    const std::string sizes = "d_1 = \"60 mm\"\nd_2 = \"60 mm\"\nT_1 = \"10 N*m\"\nmu = 0.2\n";
+    const std::string words = "beyond the axis of a wheel or the apex";
+    says(sizes + "b = \"90 mm\"\nshape = \"bevel\"\n", words);  // cones of 45 deg end after 84.9 mm
+    says(sizes + "b = \"63 mm\"\nshape = \"grooved\"\nalpha = \"15 deg\"\n", words);
+    Wheels::Input in = wheels();
+    in.shape = Shape::bevel, in.d_1 = in.d_2 = 60.0 * mm;
+    CHECK(rel(Wheels::most_length_of_cones(in), 0.4 * 0.03 * std::sqrt(2.0)) < 1e-12);
+    in.b = 84.0 * mm;
+    CHECK(Wheels::ends_before_axis(in));
+    in.b = 85.0 * mm;
+    CHECK_FALSE(Wheels::ends_before_axis(in));
   }
 
   TEST_CASE("bevel wheels roll on cones: equal speeds of all points of the line of contact, forces in balance") {

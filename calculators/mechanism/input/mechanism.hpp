@@ -143,7 +143,7 @@ F_y = "0 N"
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
       Field{&Input::gamma_min, "gamma_min", deg,
             "required minimum transmission angle of every dyad: 40 deg in general, 30 deg for light loads"}
-          .within(0, 90)
+          .within(25, 90)
           .may_be_missing(),
       Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads only"}.may_be_missing()};
 

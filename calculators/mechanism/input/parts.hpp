@@ -171,7 +171,7 @@ struct Joint {
       Field{&Joint::clearance, "clearance", mm, "revolute: diametral clearance of the pin"}.at_least(0),
       Field{&Joint::gamma_min, "gamma_min", deg,
             "inner joint of a dyad: required minimum transmission angle; omitted: that of the mechanism"}
-          .within(0, 90)
+          .within(25, 90)
           .may_be_missing(),
       Field{&Joint::h_max, "h_max", mm,
             "prismatic: maximum distance of the guide force (at least a tenth of its maximum) from the first link's "

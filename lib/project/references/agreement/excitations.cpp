@@ -57,6 +57,11 @@ std::vector<ReducedLoad> excitations_of(const Step& step, const Project& project
   const auto is_given = [&](double z) {
     return std::ranges::any_of(orders, [&](double h) { return std::abs(h - z) <= 1e-6; });
   };
+  if (!orders.empty() && of_teeth.empty() && !std::ranges::any_of(teeth, is_given)) {
+    found.push_back({"orders", say("the orders do not include the mesh of the gears on this shaft, which have {1} "
+                                   "teeth: add it, or because.orders = \"...\"",
+                                   listed(teeth))});
+  }
   for (const auto& [path, h] : of_teeth) {
     const double order = h;
     if (std::ranges::any_of(teeth, [&](double z) { return is_multiple(order, z) && is_given(z); })) continue;

@@ -23,7 +23,7 @@ class SeatCheck {
   std::vector<ReducedLoad> run() {
     if (shaft_.input().calculator == nullptr) return {};
     for (const Taken& record : shaft_.input().reading.records) {
-      if (record.path.ends_with(".load")) compare_width(record);
+      if (record.path.ends_with(".load")) compare_width(record), compare_wheel(record);
       if (record.path.ends_with(".connection")) compare_factor(record), compare_hub(record);
       compare_start(record);
     }
@@ -53,6 +53,27 @@ class SeatCheck {
     if (std::isnan(magnitude_at(project_, record.source + ".h_t")) || !(b < least * rim)) return;
     add(path, say("{1} = {2}, and the rim of '{3}' is {4} wide; justify it: {5} = \"...\"", path,
                   format_quantity(b, "mm", 4), record.source, format_quantity(rim, "mm", 4), because_key(path)));
+  }
+
+  /// A gear that its load comes from has a size: its mass, and the moment of inertia that belongs to it.
+  void compare_wheel(const Taken& record) {
+    constexpr double steel = 7850.0, most = 5.0;  // times a solid disc: with a long hub, or a part next to it
+    constexpr double least = 0.25;  // of a solid disc, with half of its diameter: most of the mass is in the hub
+    const std::string seat = prefix_of(record.path);
+    if (std::isnan(magnitude_at(project_, record.source + ".h_t"))) return;
+    const double d = magnitude_at(project_, record.source + ".d_w"), b = magnitude_at(project_, record.source + ".b_r");
+    const double mass = own_value(shaft_, project_, seat + "mass"), I_p = own_value(shaft_, project_, seat + "I_p");
+    const double disc = steel * std::numbers::pi / 4.0 * d * d * b, I_disc = mass * d * d / 8.0;
+    if (mass > most * disc)
+      add(seat + "mass", say("{1} = {2}, and a solid disc with the sizes of '{3}' has {4}; justify it: {5} = \"...\"",
+                             seat + "mass", format_quantity(mass, "kg", 3), record.source,
+                             format_quantity(disc, "kg", 3), because_key(seat + "mass")));
+    if (I_p < least * I_disc)
+      add(seat + "I_p",
+          say("{1} = {2} is too low for a mass of {3} with the diameter of '{4}', {5}: a disc has {6}; "
+              "justify it: {7} = \"...\"",
+              seat + "I_p", format_quantity(I_p, "kg*m^2", 3), format_quantity(mass, "kg", 3), record.source,
+              format_quantity(d, "mm", 4), format_quantity(I_disc, "kg*m^2", 3), because_key(seat + "I_p")));
   }
 
   /// The components of a tooth force belong together: their senses are those of the record.

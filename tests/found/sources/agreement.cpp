@@ -139,6 +139,72 @@ TEST_SUITE("found disagreements") {
     for (const char* const wrong : {"84", "1", "20"}) CHECK(shaft(wrong) == "not-judged");
   }
 
+  TEST_CASE("the orders of a shaft with gears include their mesh") {
+    const auto shaft = [](const std::string& orders) {
+      return how(in_place_of(example("gearbox-shaft"), "orders = [{ name = \"teeth\", h = \"=gears.z_1\" }]", orders),
+                 "shaft", "fatigue");
+    };
+    CHECK(shaft("orders = [{ name = \"blades\", h = 20 }]") == "not-judged");
+    CHECK(shaft("orders = [{ name = \"blades\", h = 20 }, { name = \"gear\", h = 21 }]") == "pass");
+  }
+
+  TEST_CASE("a gear on a shaft weighs and turns as its size allows") {
+    const auto shaft = [](const std::string& mass, const std::string& I_p) {
+      const std::string was = "mass = \"8 kg\", J = \"0.035 kg*m^2\", I_p = \"0.035 kg*m^2\"";
+      return how(
+          in_place_of(example("gear-stage"), was, "mass = \"" + mass + "\", J = \"0.4 kg*m^2\", I_p = \"" + I_p + "\""),
+          "wheel_shaft", "fatigue");
+    };
+    CHECK(shaft("8 kg", "0.035 kg*m^2") == "pass");  // a disc of 146 mm has 0.021 kg m^2
+    CHECK(shaft("8 kg", "0.005 kg*m^2") == "not-judged");
+    CHECK(shaft("80 kg", "0.35 kg*m^2") == "not-judged");  // and 4.9 kg
+  }
+
+  TEST_CASE("an ellipsoid or a hemisphere has the radius of a shell of its pressure, typed as it may be") {
+    const auto head = [](const std::string& lines) {
+      return how(
+          "[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nsigma_adm = \"120 "
+          "MPa\"\n\n[head]\nsigma_adm = \"120 MPa\"\n" +
+              lines,
+          "head", "strength");
+    };
+    const std::string ellipsoid = "calculator = \"vessel.ellipsoid\"\nb = \"300 mm\"\n";
+    CHECK(head(ellipsoid + "p = \"1 MPa\"\na = \"500 mm\"\n") == "not-judged");
+    CHECK(head(ellipsoid + "p = \"1 MPa\"\na = \"600 mm\"\n") == "pass");
+    const std::string sphere = "calculator = \"vessel.sphere\"\n";
+    CHECK(head(sphere + "p = \"1 MPa\"\nR = \"300 mm\"\n") == "not-judged");
+    CHECK(head(sphere + "p = \"1 MPa\"\nR = \"600 mm\"\n") == "pass");
+    CHECK(head(sphere + "p = \"0.8 MPa\"\nR = \"300 mm\"\n") == "pass");  // of another vessel
+  }
+
+  TEST_CASE("flanks have the roughness of their finish, and oils have a viscosity") {
+    const auto rating = [](const std::string& lines) { return mode_with("gear.rating", lines, "pitting_1"); };
+    CHECK(rating("finish = \"ground\"\nR_z1 = \"5 um\"\nR_z2 = \"5 um\"") == "pass");
+    CHECK(rating("finish = \"ground\"\nR_z1 = \"20 um\"\nR_z2 = \"20 um\"") == "not-judged");
+    CHECK(rating("finish = \"ground\"\nR_z1 = \"0.1 um\"\nR_z2 = \"0.1 um\"") == "not-judged");
+    CHECK(rating("finish = \"hobbed\"\nR_z1 = \"0.6 um\"\nR_z2 = \"0.6 um\"") == "not-judged");
+    const std::string iso = "standard = \"iso6336\"\nnu_40 = ";
+    CHECK(rating(iso + "\"220 mm^2/s\"") == "pass");
+    CHECK(rating(iso + "\"22000 mm^2/s\"") == "not-judged");
+  }
+
+  TEST_CASE("a column is as long as it buckles first, not as in a higher mode") {
+    const auto rod = [](const std::string& lines) {
+      return how(
+          "[el]\ncalculator = \"column.effective_length\"\nl = \"2.5 m\"\nend_1 = \"pinned\"\nend_2 = "
+          "\"pinned\"\nmode = 2\n\n[rod]\ncalculator = \"column.buckling\"\nP = \"10 kN\"\nd = \"45 mm\"\nE = "
+          "\"210 GPa\"\nR_e = \"340 MPa\"\nsigma_P = \"270 MPa\"\nmethod = \"euler\"\nn_st = 3\nends = "
+          "\"pinned_pinned\"\n" +
+              lines,
+          "rod", "buckling");
+    };
+    CHECK(rod("l = \"=el.l\"\n") == "pass");
+    CHECK(rod("l = \"=el.s\"\n") == "pass");
+    CHECK(rod("l = \"=el.l*el.beta_n\"\n") == "not-judged");
+    CHECK(rod("l = \"=el.s/2\"\n") == "not-judged");
+    CHECK(rod("l = \"=el.s/2\"\nbecause.l = \"braced in the middle\"\n") == "pass");
+  }
+
   TEST_CASE("a fatigue limit is for the rectangle of its part") {
     const std::string link = example("press-link");
     CHECK(how(link, "web_life", "fatigue") == "pass");

@@ -163,8 +163,8 @@ TEST_SUITE("found disagreements") {
   TEST_CASE("an ellipsoid or a hemisphere has the radius of a shell of its pressure, typed as it may be") {
     const auto head = [](const std::string& lines) {
       return how(
-          "[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nsigma_adm = \"120 "
-          "MPa\"\n\n[head]\nsigma_adm = \"120 MPa\"\n" +
+          "[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nmeasured = \"inner\"\n"
+          "sigma_adm = \"140 MPa\"\n\n[head]\nmeasured = \"inner\"\nsigma_adm = \"140 MPa\"\n" +
               lines,
           "head", "strength");
     };

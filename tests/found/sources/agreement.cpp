@@ -160,6 +160,25 @@ TEST_SUITE("found disagreements") {
     CHECK(shaft("80 kg", "0.35 kg*m^2") == "not-judged");  // and 4.9 kg
   }
 
+  TEST_CASE("a moment of inertia is about the axis, of a body with a plausible density") {
+    const auto fan = [](const std::string& J, const std::string& x, const std::string& rho = "7850 kg/m^3") {
+      return solved_as_found(
+          "[fan]\ncalculator = \"machine.run_up\"\nparts = [{ name = \"rotor\", J = \"0.05 kg*m^2\" }, { name = "
+          "\"fan\", J = \"" +
+          J +
+          "\", u = 0.5 }]\nmotor = [[\"0 rpm\", \"45 N*m\"], [\"1400 rpm\", \"45 N*m\"]]\nload = [[\"0 rpm\", "
+          "\"2 N*m\"], [\"1400 rpm\", \"26 N*m\"]]\nn_2 = \"1400 rpm\"\n\n[w]\ncalculator = \"dynamics.inertia\"\n"
+          "rho = \"" +
+          rho + "\"\nparts = [{ name = \"rim\", D = \"600 mm\", d_i = \"500 mm\", h = \"80 mm\", x = \"" + x +
+          "\" }]\n");
+    };
+    CHECK(mode_of(fan("=w.J", "100 mm"), "fan", "stall") == "pass");
+    CHECK(mode_of(fan("=w.J_S", "0 mm"), "fan", "stall") == "pass");
+    CHECK(mode_of(fan("=w.J_S", "100 mm"), "fan", "stall") == "not-judged");
+    CHECK(mode_of(fan("=w.J", "0 mm", "720 kg/m^3"), "fan", "stall") == "pass");  // wood
+    CHECK(mode_of(fan("=w.J", "0 mm", "785 kg/m^3"), "fan", "stall") == "not-judged");
+  }
+
   TEST_CASE("an ellipsoid or a hemisphere has the radius of a shell of its pressure, typed as it may be") {
     const auto head = [](const std::string& lines) {
       return how(

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <string_view>
 
 namespace loadpath::project {
 
@@ -56,12 +57,48 @@ void compare_rim(const Step& shaft, const Project& project, std::vector<ReducedL
   }
 }
 
+const Dimension of_inertia = Dimension::of(2, 1, 0);
+
+/// A moment of inertia about the centre of mass of a body that turns about another axis.
+void compare_axis(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  for (const Operand& operand : step.input().reading.operands) {
+    const auto& references = operand.expression.references();
+    if (!(operand.leaf.field->dimension == of_inertia) || references.size() != 1) continue;
+    const auto [body, key] = split_step(references.front().path);
+    if (key != "J_S" || calculated_step(project, body) == nullptr) continue;
+    const double J_S = magnitude_at(project, body + ".J_S"), J = magnitude_at(project, body + ".J");
+    if (!(J_S < (1.0 - few) * J)) continue;
+    found.push_back({operand.path, say("'{1}.J_S' is about the centre of mass, which is off the axis of '{1}': write "
+                                       "\"={1}.J\", {2} about this axis, or {3} = \"...\"",
+                                       body, format_quantity(J, "kg*m^2", 4), because_key(operand.path))});
+  }
+}
+
+/// A mass or an inertia of a body without a material, with the density of steel but for a digit.
+void compare_tenth(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double steel = 7850.0;
+  const Dimension mass = Dimension::of(0, 1, 0);
+  for (const Operand& operand : step.input().reading.operands) {
+    const auto& references = operand.expression.references();
+    const Dimension& dimension = operand.leaf.field->dimension;
+    if (references.empty() || !(dimension == of_inertia || dimension == mass)) continue;
+    const Step* const body = calculated_step(project, split_step(references.front().path).first);
+    if (body == nullptr || std::string_view(body->input().calculator->id) != "dynamics.inertia") continue;
+    const double rho = own_value(*body, project, "rho");
+    if (!material_of(*body).empty() || !(std::abs(10.0 * rho - steel) <= few * steel)) continue;
+    found.push_back({operand.path, say("'{1}' has rho = {2}, a tenth of that of steel: correct it, or {3} = \"...\"",
+                                       body->name(), format_quantity(rho, "kg/m^3", 4), because_key(operand.path))});
+  }
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> sizes_in_disagreement(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
   compare_rectangle(step, project, found);
   compare_rim(step, project, found);
+  compare_axis(step, project, found);
+  compare_tenth(step, project, found);
   return found;
 }
 

@@ -185,14 +185,15 @@ double Wheels::most_length_of_flanks(const Input& in) {
 
 /// Twice what books allow for laminated fabric, the hardest of the soft rims: 40 to 80 N/mm, from memory.
 double Wheels::most_line_load(const Input& in) { return is_soft(in) ? in_si(160.0 * N_per_mm) : unset<double>; }
+
+/// The same by Hertz, at its modulus of some 7 GPa.
 double Wheels::most_pressure(const Input& in) { return is_soft(in) ? in_si(150.0 * MPa) : unset<double>; }
 
 /// Rims of cast iron, as of pulleys, from memory; of steel discs the strength in rotation is a reason.
 double Wheels::most_speed(const Input& in) {
-  constexpr double most = 40.0;  // m/s
+  constexpr double most = 35.0;  // m/s
   if (!is_set(in.d_1)) return unset<double>;
-  const double bevel = in.shape == Shape::bevel && is_set(in.b) ? 1.2 : 1.0;  // outer over mean diameter
-  return most / (0.5 * bevel * in_si(in.d_1));
+  return most / (0.5 * in_si(in.d_1));
 }
 
 template <class Tracer>

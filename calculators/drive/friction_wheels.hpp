@@ -236,7 +236,7 @@ q_adm = "30 N/mm"
       Bound<Input>{"mu", "dry soft rims", [](const Input&) { return 0.75; }},
       Bound<Input>{"q_adm", "soft rims", &most_line_load},
       Bound<Input>{"p_adm", "soft rims", &most_pressure},
-      Bound<Input>{"n_1", "a rim speed of 40 m/s", &most_speed}};
+      Bound<Input>{"n_1", "a rim speed of 35 m/s", &most_speed}};
 
   static constexpr bool turns = true;
   static constexpr std::array meanings{Meaning{"P", "mean"}};

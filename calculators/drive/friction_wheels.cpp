@@ -171,6 +171,11 @@ bool Wheels::ends_before_axis(const Input& in) {
   return in.b * std::cos(in.alpha) < min(in.d_1, in.d_2);
 }
 
+/// A longer contact does not bear evenly: of rollers, from memory.
+double Wheels::most_length_of_cylinders(const Input& in) {
+  return in.shape == Shape::cylindrical ? in_si(min(in.d_1, in.d_2)) : unset<double>;
+}
+
 /// A third of the outer cone distance, as of bevel gears: b = (R_m + b/2)/3.
 double Wheels::most_length_of_cones(const Input& in) {
   if (in.shape != Shape::bevel || !is_set(in.d_1) || !is_set(in.d_2) || !cones_meet(in)) return unset<double>;

@@ -225,12 +225,14 @@ q_adm = "30 N/mm"
       Rule<Input>{[](const Input& in) { return is_set(in.b) || is_set(in.q_adm) || is_set(in.p_adm); }, "q_adm, p_adm",
                   "without b, the search for it needs a limit: give q_adm of soft rims, or p_adm with E_1 and E_2"}};
 
+  static double most_length_of_cylinders(const Input& in);
   static double most_length_of_cones(const Input& in);
   static double most_length_of_flanks(const Input& in);
   static double most_line_load(const Input& in);
   static double most_pressure(const Input& in);
   static double most_speed(const Input& in);
   static constexpr std::array bounds{
+      Bound<Input>{"b", "the smaller diameter", &most_length_of_cylinders},
       Bound<Input>{"b", "a third of the cone distance", &most_length_of_cones},
       Bound<Input>{"b", "grooves as deep as a quarter of the smaller wheel", &most_length_of_flanks},
       Bound<Input>{"mu", "dry soft rims", [](const Input&) { return 0.75; }},

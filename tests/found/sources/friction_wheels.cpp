@@ -1,5 +1,5 @@
-// Regression tests of friction wheels of impossible or unusual shape: contacts as long as the cones, deep grooves, soft rims
-// with the limits of metals, rims that burst.
+// Regression tests of friction wheels of impossible or unusual shape: contacts as long as the cones, deep grooves, soft
+// rims with the limits of metals, rims that burst.
 #include "tests/found/modes.hpp"
 
 #include <string>
@@ -19,6 +19,11 @@ TEST_SUITE("found friction wheels") {
     CHECK(contact(bevel + "b = \"400 mm\"") == "not-judged");
     CHECK(contact(bevel + "b = \"120 mm\"") == "pass");  // of 0.4 x 316 mm
     CHECK(contact(bevel + "b = \"400 mm\"\nbecause.b = \"two rims\"") == "pass");
+  }
+
+  TEST_CASE("cylinders are no wider than the smaller one is thick") {
+    CHECK(contact("b = \"2000 mm\"") == "not-judged");
+    CHECK(contact("b = \"200 mm\"") == "pass");
   }
 
   TEST_CASE("grooves are shallow") {

@@ -178,10 +178,13 @@ class StatedCheck {
     const double here = known(stated.name);
     const bool is_weak = names_strength && stated.si < (1.0 - as_stated) * here;
     if (!asks_for_more(stated, here) && !is_weak) return;
+    const auto shown = [&](double si) {
+      return dimension.is_number() ? format_number(si, 5) : format_quantity(si, same->unit, 5);
+    };
     add(stated.name,
         say("values.{1} = {2} acts on no step, and {1} is {3} here: refer to it, delete it, or justify it: "
             "because.{1} = \"...\"",
-            stated.name, format_quantity(stated.si, same->unit, 5), format_quantity(here, same->unit, 5)));
+            stated.name, shown(stated.si), shown(here)));
   }
 
   /// The input that a reason for the temperature belongs to: the temperature itself, or the first strength.

@@ -63,6 +63,11 @@ TEST_SUITE("found names of stated values") {
       CHECK_FALSE(is_held(values, bearing, "b", "fatigue"));
   }
 
+  TEST_CASE("a speed above the limit of the bearing") {
+    CHECK(is_held("n_max = \"20000 rpm\"", bearing, "b", "fatigue"));
+    CHECK_FALSE(is_held("n_max = \"3000 rpm\"", bearing, "b", "fatigue"));
+  }
+
   TEST_CASE("a larger load under its own name, a peak of it") {
     for (const char* const values : {"F_r = \"20 kN\"", "F_max = \"60 kN\""})
       CHECK(is_held(values, bearing, "b", "fatigue"));

@@ -161,12 +161,14 @@ class StatedCheck {
     return std::isnan(here) ? magnitude_at(project_, step_.name() + "." + key) : here;
   }
 
-  /// Whether a larger value asks for more than the step has: a life, a reliability, an allowance for corrosion.
+  /// Whether a larger value asks for more than the step has: a life, a reliability, an allowance for corrosion, a
+  /// speed.
   [[nodiscard]] bool asks_for_more(const Stated& stated, double here) const {
     if (stated.name == "R") return here >= 0.5 && stated.si < 1.0 && stated.si > here;
     const bool is_allowance =
         stated.name == "c" && std::string_view(step_.input().calculator->id).starts_with("vessel.");
-    return (stated.name == "L_h" || is_allowance) && stated.si > (1.0 + as_stated) * here;
+    const bool is_limit = stated.name == "n_max" && here > 0.0;  // a speed that the part must bear
+    return (stated.name == "L_h" || is_allowance || is_limit) && stated.si > (1.0 + as_stated) * here;
   }
 
   /// A required life above, or a strength below that of the step under its own name.

@@ -583,6 +583,10 @@ const Case drives[] = {
     {"belt.flat", "b = \"100 mm\"\nd_2 = \ni_set = 2", "i_w", 2.0},
     {"belt.flat", "b = \"100 mm\"\nd_2 = \nn_1 = \"1000 rpm\"\nn_2_set = \"500 rpm\"", "i_w", 2.0},
     {"belt.flat", "b = \"100 mm\"\nE_b = \"80 MPa\"", "sigma_b", 80e6 * 2.5 / 200},  // strain of the outer fibre
+    {"belt.synchronous", "z_2 = 20", "z_0", 1000 / 12.7 + 20},
+    {"belt.synchronous", "z_2 = 20", "z_m", 10.0},
+    {"belt.synchronous", "b = \"76.2 mm\"", "k_w", 1.0},
+    {"belt.synchronous", "a = \nz_B = 110\nz_2 = 20", "a", 0.0127 * 45},
     {"belt.v", "d_1 = \"200 mm\"\nd_2 = \"200 mm\"\nL = \nepsilon = 0\na = \"800 mm\"", "i", 1.0},
     {"belt.v",  // the mean life of GOST 1284.2, annex 3, under a medium load
      "basis = \"iso\"\nsection = \"B\"\nbelt_class = \"IV\"\nmotor = \nh_day = \nK_A = 1\nP = \"7.5 kW\"\nd_1 = \"140 "

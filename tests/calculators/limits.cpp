@@ -407,6 +407,13 @@ const Side pulleys[] = {
 const char* const large = "d_1 = \"140 mm\"\nd_2 = \"4000 mm\"";
 
 const Side v_belts[] = {
+    {"belt.synchronous", "u_P", over, "P", R"("5.34 kW")", R"("5.35 kW")"},
+    {"belt.synchronous", "P_R", over, "n_1", R"("16100 rpm")", R"("16200 rpm")", R"(b = "76.2 mm")"},
+    {"belt.synchronous", "x_m", outside, "a", R"("250 mm")", R"("180 mm")", "z_1 = 6\nz_2 = 60"},
+    {"belt.synchronous", "x_z", over, "z_1", "18", "17"},
+    {"belt.synchronous", "x_v", outside, "n_1", R"("7795 rpm")", R"("7796 rpm")"},
+    {"belt.synchronous", "x_n", outside, "n_1", R"("3600 rpm")", R"("3601 rpm")"},
+    {"belt.synchronous", "x_b", outside, "b", R"("76.2 mm")", R"("76.3 mm")"},
     {"belt.v", "u_P", over, "z", "3", "2"},
     {"belt.v", "u_grip", over, "mu", "0.44", "0.43", "z = 9"},
     {"belt.v", "u_rim", over, "v_rim_adm", R"("15.9 m/s")", R"("15.8 m/s")"},

@@ -239,9 +239,9 @@ TEST_SUITE("project steps") {
     struct Row {
       const char *id, *key, *load;
     };
-    for (const Row& row :
-         {Row{"belt.flat", "P", "drive.P"}, Row{"belt.v", "P", "drive.P"}, Row{"belt.v_sizing", "P", "drive.P"},
-          Row{"belt.course", "S_0", "links.rod.N"}, Row{"column.lightest", "P", "links.rod.N"}}) {
+    for (const Row& row : {Row{"belt.flat", "P", "drive.P"}, Row{"belt.v", "P", "drive.P"},
+                           Row{"belt.v_sizing", "P", "drive.P"}, Row{"belt.synchronous", "P", "drive.P"},
+                           Row{"belt.course", "S_0", "links.rod.N"}, Row{"column.lightest", "P", "links.rod.N"}}) {
       CAPTURE(row.id);
       const Calculator* const calculator = find_calculator(calculators(), row.id);
       REQUIRE(calculator != nullptr);

@@ -140,6 +140,17 @@ void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, f_B, 2.0 * r.v / r.L, "two bends per belt revolution");
 }
 
+/// The life by the S-N curve of the belt. Each pulley bends it once a revolution; both bends count with the stress of
+/// the smaller one.
+template <class Tracer>
+void last(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
+  if (!is_set(in.sigma_f)) return;
+  STEP_TO(r, N_B, in.N_f * pow(in.sigma_f / r.sigma_max, in.m_f), "S-N curve of the belt, [Shigley-17-3]");
+  STEP_TO(r, L_h, N_B / r.f_B, "two bends per belt revolution, both with the maximum stress");
+  if (!is_set(in.L_req)) return;
+  STEP_TO(r, u_L, in.L_req / L_h, "life condition");
+}
+
 /// Room between the pulleys, and for the spans of a crossed belt, two of which pass there.
 template <class Tracer>
 void leave_room(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
@@ -190,6 +201,7 @@ Flat::Result drive(const Flat::Input& in, Tracer& trace) {
   cross(in, r, trace);
   tighten(in, r, trace);
   judge(in, r, trace);
+  last(in, r, trace);
   return r;
 }
 

@@ -4,9 +4,9 @@
 // wrap, with the part of the tension that turns the belt around (centrifugal) kept out of the friction. Tensions: S_1
 // tight, S_2 slack; the mean of the two stays that of standstill on fixed centres, while a tensioner with a constant
 // force lets it rise by the centrifugal part. On a pivoted motor base the moments of weight and spans about the pivot
-// balance, and the mean of the tensions rises with the load if the slack span has the longer arm. Not covered: rollers
-// on the belt (belt.course), crowning, fatigue life of the belt, shafts that are not parallel. The linked shaft load is
-// the larger resultant, in operation or at standstill.
+// balance, and the mean of the tensions rises with the load if the slack span has the longer arm. Life: the S-N curve
+// of the belt at the tight span on the smaller pulley. Not covered: rollers on the belt (belt.course), crowning, shafts
+// that are not parallel. The linked shaft load is the larger resultant, in operation or at standstill.
 #pragma once
 
 #include "calculators/belt/driven.hpp"
@@ -30,9 +30,9 @@ struct Flat {
   static constexpr auto scope =
       "Length or centre distance, wrap angles, speeds with slip, tensions by the Euler-Eytelwein equation with "
       "centrifugal tension, belt width, initial tension (also of a pivoted motor base) and shaft load of an open or "
-      "crossed flat belt drive "
-      "at 5 to 30 m/s (synthetic belts to 100 m/s); belt life and idlers are not covered (idlers: belt.course).";
-  static constexpr auto source = "[B40], [Shigley-17]";
+      "crossed flat belt drive at 5 to 30 m/s (synthetic belts to 100 m/s), belt life by an S-N curve; idlers are not "
+      "covered (belt.course).";
+  static constexpr auto source = "[B40], [Shigley-17], [Shigley-17-3]";
   static constexpr auto headline = "b = {b}";
   static constexpr auto details = "L = {L}, a = {a}, initial tension S_0 = {S_0}, shaft load R = {R}";
   static constexpr auto synonyms =
@@ -82,6 +82,9 @@ E_b = "40 MPa"
     Rotation rotation = Rotation::one;
     Mass m_m = unset<Mass>;
     Length a_G = unset<Length>, h_P = unset<Length>, x_P = unset<Length>;
+    Stress sigma_f = unset<Stress>;
+    double m_f = unset<double>, N_f = 1e7;
+    Time L_req = unset<Time>;
   };
   static constexpr auto inputs = join(
       Fields{Field{&Input::P, "P", kW, "power at the driving pulley, mean over the cycle"}
@@ -152,7 +155,18 @@ E_b = "40 MPa"
           Field{&Input::x_P, "x_P", mm,
                 "pivoted base: distance of the pivot from the motor axis, along the line of centres toward the "
                 "driven pulley"}
-              .may_be_missing()});
+              .may_be_missing(),
+          Field{&Input::sigma_f, "sigma_f", MPa, "fatigue strength of the belt at N_f bends, tension with bending"}
+              .positive()
+              .usually(1, 50)
+              .may_be_missing(),
+          Field{&Input::m_f, "m_f", ratio, "exponent of the S-N curve of the belt (flat belts: 5 to 6)"}
+              .within(1, 20)
+              .usually(2, 12)
+              .may_be_missing(),
+          Field{&Input::N_f, "N_f", ratio, "number of bends for which sigma_f is stated"}.within(1, 1e12).usually(1e5,
+                                                                                                                  1e9),
+          Field{&Input::L_req, "L_req", hour, "required belt life"}.positive().usually(100, 1e5).may_be_missing()});
 
   struct Result {
     Length d_2 = unset<Length>;
@@ -178,6 +192,9 @@ E_b = "40 MPa"
     double theta_R = unset<double>;
     ShaftLoad shaft_1, shaft_2;
     AngularSpeed f_B = unset<AngularSpeed>;
+    double N_B = unset<double>;
+    Time L_h = unset<Time>;
+    double u_L = unset<double>;
     double u_S = unset<double>, u_sigma = unset<double>, u_b = unset<double>, x_v = unset<double>, x_b = unset<double>;
     Length g_x = unset<Length>;
     Speed v_range = unset<Speed>;
@@ -230,6 +247,9 @@ E_b = "40 MPa"
                 "maximum shaft load on the driven shaft, in operation or at standstill, for load"}
               .handed_over(),
           Field{&Result::f_B, "f_B", Hz, "flex rate of the belt"},
+          Field{&Result::N_B, "N_B", ratio, "number of bends to failure"},
+          Field{&Result::L_h, "L_h", hour, "belt life"},
+          Field{&Result::u_L, "u_L", ratio, "belt life: required / calculated life"}.check("L_req"),
           Field{&Result::u_S, "u_S", ratio, "friction: required / actual initial tension"}.check(),
           Field{&Result::u_Sr, "u_Sr", ratio, "friction, reversed rotation: required / actual initial tension"}
               .check()
@@ -279,7 +299,13 @@ E_b = "40 MPa"
                       "a pivot on the line of centres does not tension the belt: give a distance"},
           Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching},
           Rule<Input>{&is_thin, "delta, d_1, d_2, n_2_set, i_set",
-                      "the belt must be thinner than half of the smaller pulley"}});
+                      "the belt must be thinner than half of the smaller pulley"},
+          Rule<Input>{[](const Input& in) { return is_set(in.sigma_f) == is_set(in.m_f); }, "sigma_f, m_f",
+                      "the belt life needs both the fatigue strength sigma_f and the exponent m_f"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.sigma_f) || is_set(in.E_b); }, "sigma_f, E_b",
+                      "the belt life needs the bending modulus E_b, for the stress at the smaller pulley"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.L_req) || is_set(in.sigma_f); }, "L_req, sigma_f, m_f",
+                      "a required life L_req needs the S-N curve of the belt: sigma_f and m_f"}});
 
   static constexpr bool turns = true;
   static Applies crossed(const Input& in) { return where(in.arrangement == Arrangement::crossed); }
@@ -295,7 +321,7 @@ E_b = "40 MPa"
       Mode<Input>{"speed", "belt speed range", &always<Input>}.judged_by("v_range, x_v"),
       Mode<Input>{"room", "clearance between the pulleys", &always<Input>}.judged_by("g_x").of_shape(),
       Mode<Input>{"twist", "twisting and rubbing of crossed spans", &crossed}.judged_by("x_a"),
-      Mode<Input>{"fatigue", "belt fatigue life (flex rate)", &unseen<Input>}.special(),
+      Mode<Input>{"fatigue", "belt fatigue life (flex rate)", &unseen<Input>}.judged_by("u_L").special(),
       Mode<Input>{"rim", "bursting of pulley rims", &unseen<Input>}.special(),
       Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
 

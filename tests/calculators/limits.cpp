@@ -399,6 +399,7 @@ const Side pulleys[] = {
     {"belt.flat", "v_range", outside, "n_1", R"("9549 rpm")", R"("9550 rpm")", R"(b = "300 mm")"},
     {"belt.flat", "x_v", outside, "n_1", R"("2864 rpm")", R"("2865 rpm")", "kind = \"conventional\"\nb = \"100 mm\""},
     {"belt.flat", "u_b", over, "E_b", R"("480 MPa")", R"("481 MPa")", R"(b = "100 mm")"},  // 6 MPa at 2.5/200
+    {"belt.flat", "u_L", over, "L_req", R"("838 h")", R"("839 h")", "b = \"100 mm\"\nsigma_f = \"9 MPa\"\nm_f = 6"},
     {"belt.flat", "g_x", over, "a", R"("355.1 mm")", R"("354.9 mm")", R"(b = "100 mm")"},
     {"belt.flat", "x_a", outside, "a", R"("2000 mm")", R"("1999 mm")", "arrangement = \"crossed\"\nb = \"100 mm\""},
     {"belt.flat", "x_b", outside, "b", R"("299 mm")", R"("301 mm")"},

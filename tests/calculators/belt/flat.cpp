@@ -249,6 +249,21 @@ TEST_SUITE("belt flat") {
     CHECK(BeltStep(with(text, "S_0", "\"1200 N\"")).worst() == account::State::pass);
   }
 
+  TEST_CASE("the life is that of the S-N curve at the maximum stress, with two bends per revolution of the belt") {
+    belt::Flat::Input in = fan();
+    in.K_A = 1.2, in.b = 100.0 * mm, in.E_b = 40.0 * MPa;
+    in.sigma_f = 9.0 * MPa, in.m_f = 6.0;
+    const auto r = solve(in);  // by another program
+    CHECK(rel(in_si(r.sigma_max), 7672049.388083873) < 1e-12);
+    CHECK(rel(r.N_B, 26060738.427795988) < 1e-12);
+    CHECK(rel(in_si(r.L_h) / 3600.0, 838.6763834480031) < 1e-12);
+    in.sigma_f = r.sigma_max;
+    CHECK(rel(solve(in).N_B, 1e7) < 1e-12);
+    CHECK(BeltStep(with(with(text, "sigma_f", "\"9 MPa\""), "m_f", "6")).says("needs the bending modulus E_b"));
+    CHECK(BeltStep(with(text, "m_f", "6")).says("needs both the fatigue strength sigma_f and the exponent m_f"));
+    CHECK(BeltStep(with(text, "L_req", "\"1000 h\"")).says("needs the S-N curve of the belt"));
+  }
+
   TEST_CASE("what can be got wrong is told") {
     CHECK(BeltStep(with(text, "a", "")).says("give either the centre distance a or the belt length L"));
     CHECK(BeltStep(with(text, "L", "\"3500 mm\"")).says("give either the centre distance a or the belt length"));

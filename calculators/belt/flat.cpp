@@ -1,6 +1,7 @@
 #include "calculators/belt/flat.hpp"
 
 #include "calculators/belt/figures.hpp"
+#include "calculators/belt/quarter_turn.hpp"
 #include "calculators/belt/shaft_load.hpp"
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/table/library.hpp"
@@ -122,6 +123,21 @@ void tighten(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, u_S, r.S_0_min / r.S_0, "friction condition");
 }
 
+/// What the spans do to the shafts.
+template <class Tracer>
+void load(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
+  STEP(N_1, r.S_1 - r.F_c, "tight side tension less centrifugal tension");
+  STEP(N_2, r.S_2 - r.F_c, "slack side tension less centrifugal tension");
+  const Moment T_1 = r.F_t * in.d_1 / 2.0, T_2 = r.F_t * in.d_2 / 2.0;
+  if (in.arrangement == Arrangement::quarter_turn) {
+    load_crossed_shafts(N_1, N_2, r, trace);
+    return hand_over_crossed(T_1, T_2, N_1, N_2, in.d_1, in.d_2, in.n_1, r);
+  }
+  STEP_TO(r, R_0, 2.0 * r.S_0 * r.l_s / r.a, "two spans at standstill, along the line of centres");
+  load_shaft(N_1, N_2, in.arrangement == Arrangement::crossed ? -r.gamma : r.gamma, r, trace);
+  hand_over(T_1, T_2, largest_pull(r, r.R_0), in.d_1, in.d_2, in.n_1, r);
+}
+
 template <class Tracer>
 void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   if (is_set(r.S_1r)) {
@@ -130,11 +146,7 @@ void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
     STEP_TO(r, sigma_max, r.S_1 / (r.b * in.delta) + r.sigma_b, "tight span at the smaller pulley");
   }
   STEP_TO(r, u_sigma, r.sigma_max / in.sigma_adm, "strength condition");
-  STEP_TO(r, R_0, 2.0 * r.S_0 * r.l_s / r.a, "two spans at standstill, along the line of centres");
-  STEP(N_1, r.S_1 - r.F_c, "tight side tension less centrifugal tension");
-  STEP(N_2, r.S_2 - r.F_c, "slack side tension less centrifugal tension");
-  load_shaft(N_1, N_2, in.arrangement == Arrangement::crossed ? -r.gamma : r.gamma, r, trace);
-  hand_over(r.F_t * in.d_1 / 2.0, r.F_t * in.d_2 / 2.0, largest_pull(r, r.R_0), in.d_1, in.d_2, in.n_1, r);
+  load(in, r, trace);
   constexpr double widest_face = 1.28;  // times the belt width: pulleys of DIN 111, recalled
   r.shaft_1.b_r = r.shaft_2.b_r = widest_face * r.b;
   STEP_TO(r, f_B, 2.0 * r.v / r.L, "two bends per belt revolution");
@@ -158,9 +170,14 @@ void leave_room(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
 }
 template <class Tracer>
 void cross(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
-  if (in.arrangement != Arrangement::crossed) return;
-  STEP_TO(r, x_a, 20.0 * r.b / r.a,
-          "spans of a crossed belt twist freely from 20 widths on, not checked against the source");
+  if (in.arrangement == Arrangement::crossed) {
+    STEP_TO(r, x_a, 20.0 * r.b / r.a,
+            "spans of a crossed belt twist freely from 20 widths on, not checked against the source");
+  }
+  if (in.arrangement == Arrangement::quarter_turn) {
+    STEP_TO(r, x_q, 2.0 * (in.d_1 + in.d_2) / r.a, "minimum centre distance for the delivery angle, [Firgelli]");
+    STEP_TO(r, x_t, 8.0 * r.b / r.a, "minimum span for a quarter turn of the belt, [Firgelli]");
+  }
 }
 
 template <class Tracer>
@@ -192,7 +209,11 @@ Flat::Result drive(const Flat::Input& in, Tracer& trace) {
   Flat::Result r;
   r.d_2 = in.d_2;
   move(in, r, trace);
-  lay(pulleys_of(in), r, trace);
+  if (in.arrangement == Arrangement::quarter_turn) {
+    lay_quarter_turn(pulleys_of(in), r, trace);
+  } else {
+    lay(pulleys_of(in), r, trace);
+  }
   limit_speed(in, r, trace);
   leave_room(in, r, trace);
   pull(in, r, trace);
@@ -220,6 +241,7 @@ template Flat::Result Flat::evaluate(const Input&, NoTrace&);
 template Flat::Result Flat::evaluate(const Input&, Trace&);
 
 std::vector<figure::Figure> Flat::figures(const Input& in, const Result& r) {
+  if (in.arrangement == Arrangement::quarter_turn) return {};  // its pulleys lie in two planes
   TwoWheels w;
   w.d_1 = in_si(in.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);
   w.crossed = in.arrangement == Arrangement::crossed;

@@ -1,12 +1,13 @@
-// A flat belt drive, open or crossed: course, tensions by friction, width of the belt, shaft load.
+// A flat belt drive, open, crossed or between shafts at right angles: course, tensions by friction, width of the belt,
+// shaft load.
 //
 // Decides the width by the allowable stress of the belt and the initial tension by Euler's condition at the smaller
 // wrap, with the part of the tension that turns the belt around (centrifugal) kept out of the friction. Tensions: S_1
 // tight, S_2 slack; the mean of the two stays that of standstill on fixed centres, while a tensioner with a constant
 // force lets it rise by the centrifugal part. On a pivoted motor base the moments of weight and spans about the pivot
 // balance, and the mean of the tensions rises with the load if the slack span has the longer arm. Life: the S-N curve
-// of the belt at the tight span on the smaller pulley. Not covered: rollers on the belt (belt.course), crowning, shafts
-// that are not parallel. The linked shaft load is the larger resultant, in operation or at standstill.
+// of the belt at the tight span on the smaller pulley. Not covered: rollers on the belt (belt.course), crowning, guide
+// pulleys between skew shafts. The linked shaft load is the larger resultant, in operation or at standstill.
 #pragma once
 
 #include "calculators/belt/driven.hpp"
@@ -29,10 +30,10 @@ struct Flat {
   static constexpr auto title = "Flat belt drive";
   static constexpr auto scope =
       "Length or centre distance, wrap angles, speeds with slip, tensions by the Euler-Eytelwein equation with "
-      "centrifugal tension, belt width, initial tension (also of a pivoted motor base) and shaft load of an open or "
-      "crossed flat belt drive at 5 to 30 m/s (synthetic belts to 100 m/s), belt life by an S-N curve; idlers are not "
-      "covered (belt.course).";
-  static constexpr auto source = "[B40], [Shigley-17], [Shigley-17-3]";
+      "centrifugal tension, belt width, initial tension (also of a pivoted motor base) and shaft load of an open, "
+      "crossed or quarter-turn flat belt drive at 5 to 30 m/s (synthetic belts to 100 m/s), belt life by an S-N curve; "
+      "idlers are not covered (belt.course).";
+  static constexpr auto source = "[B40], [Firgelli], [Shigley-17], [Shigley-17-3]";
   static constexpr auto headline = "b = {b}";
   static constexpr auto details = "L = {L}, a = {a}, initial tension S_0 = {S_0}, shaft load R = {R}";
   static constexpr auto synonyms =
@@ -120,7 +121,8 @@ E_b = "40 MPa"
       Fields{
           Field{&Input::a, "a", mm, "centre distance"}.positive().usually(10, 5e4).may_be_missing(),
           Field{&Input::L, "L", mm, "inside belt length, replaces a"}.positive().usually(50, 1e5).may_be_missing(),
-          Choice{&Input::arrangement, "arrangement", "belt arrangement: open or crossed"}.may_be_missing(),
+          Choice{&Input::arrangement, "arrangement", "belt arrangement: open, crossed or quarter-turn"}
+              .may_be_missing(),
           Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.05),
           Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the pulleys"}
               .within(0.01, 1.5)
@@ -175,7 +177,8 @@ E_b = "40 MPa"
     AngularSpeed n_2 = unset<AngularSpeed>;
     Speed v = unset<Speed>;
     Length a = unset<Length>, L = unset<Length>, l_s = unset<Length>;
-    double gamma = unset<double>, alpha_1 = unset<double>, alpha_2 = unset<double>;
+    double gamma = unset<double>, beta_1 = unset<double>, beta_2 = unset<double>, alpha_1 = unset<double>,
+           alpha_2 = unset<double>;
     Force F_t = unset<Force>;
     double m_e = unset<double>;
     Stress sigma_b = unset<Stress>, sigma_c = unset<Stress>, sigma_N = unset<Stress>;
@@ -198,7 +201,7 @@ E_b = "40 MPa"
     double u_S = unset<double>, u_sigma = unset<double>, u_b = unset<double>, x_v = unset<double>, x_b = unset<double>;
     Length g_x = unset<Length>;
     Speed v_range = unset<Speed>;
-    double x_a = unset<double>;
+    double x_a = unset<double>, x_q = unset<double>, x_t = unset<double>;
   };
   static constexpr auto results = join(
       driven_results<Result>("diameter of the driven pulley found, of R20"),
@@ -209,7 +212,9 @@ E_b = "40 MPa"
           Field{&Result::a, "a", mm, "centre distance"},
           Field{&Result::L, "L", mm, "inside belt length"},
           Field{&Result::l_s, "l_s", mm, "free span length"},
-          Field{&Result::gamma, "gamma", deg, "span angle to the line of centres"},
+          Field{&Result::gamma, "gamma", deg, "span angle to the line of centres, open or crossed belt"},
+          Field{&Result::beta_1, "beta_1", deg, "angle at which a quarter-turn belt leaves the driven pulley"},
+          Field{&Result::beta_2, "beta_2", deg, "angle at which a quarter-turn belt leaves the driving pulley"},
           Field{&Result::alpha_1, "alpha_1", deg, "wrap angle, driving pulley"},
           Field{&Result::alpha_2, "alpha_2", deg, "wrap angle, driven pulley"},
           Field{&Result::F_t, "F_t", N, "effective pull (circumferential force), with K_A"}.holding("K_A"),
@@ -267,6 +272,12 @@ E_b = "40 MPa"
           Field{&Result::x_a, "x_a", ratio, "crossed belt: 20 x belt width / centre distance (spans rub above 1)"}
               .limit(0, 1 + 1e-9)
               .where_it_applies(),
+          Field{&Result::x_q, "x_q", ratio, "quarter-turn belt: twice the sum of the diameters / centre distance"}
+              .limit(0, 1 + 1e-9)
+              .where_it_applies(),
+          Field{&Result::x_t, "x_t", ratio, "quarter-turn belt: 8 x belt width / centre distance"}
+              .limit(0, 1 + 1e-9)
+              .where_it_applies(),
           Field{&Result::x_b, "x_b", ratio, "belt width / diameter of the smaller pulley (limit set by loadpath)"}
               .limit(0, 1.5),
           Field{&Result::v_range, "v_range", m_per_s, "belt speed (range of flat belts)"}.limit(5, 100).sizeless(),
@@ -295,6 +306,8 @@ E_b = "40 MPa"
                       "rotation and x_P belong to a pivoted base: tensioning = \"pivoted_base\""},
           Rule<Input>{[](const Input& in) { return !on_pivot(in) || !is_set(in.S_0); }, "S_0, m_m, tensioning",
                       "the initial tension follows from the mass of a pivoted base: leave out S_0"},
+          Rule<Input>{[](const Input& in) { return !on_pivot(in) || in.arrangement != Arrangement::quarter_turn; },
+                      "tensioning, arrangement", "a pivoted base tensions the belt of parallel shafts only"},
           Rule<Input>{[](const Input& in) { return !is_set(in.h_P) || abs(in.h_P) > 0.0 * m.one; }, "h_P",
                       "a pivot on the line of centres does not tension the belt: give a distance"},
           Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching},
@@ -310,6 +323,10 @@ E_b = "40 MPa"
   static constexpr bool turns = true;
   static Applies crossed(const Input& in) { return where(in.arrangement == Arrangement::crossed); }
   static Applies reverses(const Input& in) { return where(on_pivot(in) && in.rotation == Rotation::both); }
+  static Applies twisted(const Input& in) { return where(in.arrangement == Arrangement::quarter_turn); }
+  static Applies reversible(const Input& in) {
+    return in.arrangement == Arrangement::quarter_turn ? Applies::unseen : Applies::no;
+  }
   static constexpr std::array meanings{Meaning{"P", "mean"}};
 
   static constexpr std::array modes{
@@ -321,6 +338,10 @@ E_b = "40 MPa"
       Mode<Input>{"speed", "belt speed range", &always<Input>}.judged_by("v_range, x_v"),
       Mode<Input>{"room", "clearance between the pulleys", &always<Input>}.judged_by("g_x").of_shape(),
       Mode<Input>{"twist", "twisting and rubbing of crossed spans", &crossed}.judged_by("x_a"),
+      Mode<Input>{"delivery", "delivery angle and twist of a quarter-turn belt", &twisted}
+          .judged_by("x_q, x_t")
+          .of_shape(),
+      Mode<Input>{"reversal", "belt run-off at reversed rotation, quarter-turn belt", &reversible}.special(),
       Mode<Input>{"fatigue", "belt fatigue life (flex rate)", &unseen<Input>}.judged_by("u_L").special(),
       Mode<Input>{"rim", "bursting of pulley rims", &unseen<Input>}.special(),
       Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
@@ -333,8 +354,10 @@ E_b = "40 MPa"
 constexpr auto choices_of(Arrangement) {
   return std::array{
       ChoiceName<Arrangement>{Arrangement::open, "open", "open: same direction of rotation"},
-      ChoiceName<Arrangement>{Arrangement::crossed, "crossed", "crossed: opposite directions of rotation"}};
-}  // namespace belt
+      ChoiceName<Arrangement>{Arrangement::crossed, "crossed", "crossed: opposite directions of rotation"},
+      ChoiceName<Arrangement>{Arrangement::quarter_turn, "quarter_turn",
+                              "quarter-turn: shafts at right angles, one direction of rotation"}};
+}
 constexpr auto choices_of(Flat::Kind) {
   return std::array{ChoiceName<Flat::Kind>{Flat::Kind::conventional, "conventional", "leather, rubber: to 30 m/s"},
                     ChoiceName<Flat::Kind>{Flat::Kind::synthetic, "synthetic", "synthetic: to 100 m/s"}};

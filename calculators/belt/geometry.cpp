@@ -12,19 +12,31 @@ namespace {
 struct Shape {
   double rise;  // rise of a span, times two: difference of the diameters, or their sum where the belt is crossed
   double sum;   // sum of the diameters
+  double d_1 = 0.0, d_2 = 0.0;
+  bool turns = false;  // quarter-turn drive: by its diameters
 
   [[nodiscard]] double length(double a) const {
+    if (turns) return 2.0 * a + around(d_1, a) + around(d_2, a);
     const double gamma = std::asin(rise / (2.0 * a));
     return 2.0 * a * std::cos(gamma) + sum * pi / 2.0 + rise * gamma;
   }
-  /// With the pulleys so close that the spans vanish.
-  [[nodiscard]] double least() const { return (sum + rise) * pi / 2.0; }
-  [[nodiscard]] double slope(double a) const { return 2.0 * std::cos(std::asin(rise / (2.0 * a))); }
+  /// With the pulleys so close that the spans vanish, or those of a quarter turn touch.
+  [[nodiscard]] double least() const { return turns ? length(sum / 2.0) : (sum + rise) * pi / 2.0; }
+  [[nodiscard]] double slope(double a) const {
+    if (turns) return 2.0 - shrinking(d_1, a) - shrinking(d_2, a);
+    return 2.0 * std::cos(std::asin(rise / (2.0 * a)));
+  }
+
+ private:
+  /// The arc on a pulley of a quarter-turn drive, and how fast it falls with the centre distance.
+  static double around(double d, double a) { return d * (pi / 2.0 + std::atan(d / (2.0 * a))); }
+  static double shrinking(double d, double a) { return 2.0 * d * d / (4.0 * a * a + d * d); }
 };
 
 Shape shape_of(const Pulleys& p) {
   const double d_1 = in_si(p.d_1), d_2 = in_si(p.d_2);
-  return {p.arrangement == Arrangement::crossed ? d_1 + d_2 : std::abs(d_2 - d_1), d_1 + d_2};
+  return {p.arrangement == Arrangement::crossed ? d_1 + d_2 : std::abs(d_2 - d_1), d_1 + d_2, d_1, d_2,
+          p.arrangement == Arrangement::quarter_turn};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace loadpath::belt {
 
-enum class Arrangement { open, crossed };
+enum class Arrangement { open, crossed, quarter_turn };
 
 /// Input of a course: one of `a` and `L` is set.
 struct Pulleys {
@@ -21,8 +21,9 @@ struct Pulleys {
   Arrangement arrangement = Arrangement::open;
 };
 
-/// The centre distance at which a belt has the length L, for pulleys whose spans are inclined by asin(difference / 2a);
-/// NaN where no distance is long enough for straight spans. Newton from the right: L(a) rises and is convex.
+/// The centre distance at which a belt has the length L, for pulleys whose spans are inclined by asin(difference / 2a),
+/// or of a quarter-turn drive; NaN where no distance is long enough for straight spans. Newton from the right: L(a)
+/// rises and is convex.
 Length centre_of_length(const Pulleys& pulleys);
 
 /// Whether the pulleys of a course have clearance between each other.
@@ -30,8 +31,8 @@ bool stand_clear(const Pulleys& pulleys);
 /// Message for overlapping pulleys: the minimum centre distance, or the minimum length.
 FieldFault overlap(const Pulleys& pulleys);
 
-/// Spans, wraps, and what is missing of a and L. gamma is the inclination of the spans to the line of centres: open,
-/// positive where pulley 2 is the larger.
+/// Spans, wraps, and what is missing of a and L, of open and crossed belts (calculators/belt/quarter_turn.hpp). gamma
+/// is the inclination of the spans to the line of centres: open, positive where pulley 2 is the larger.
 template <class Result, class Tracer>
 void lay(const Pulleys& pulleys, Result& r, Tracer& trace) {
   r.a = pulleys.a, r.L = pulleys.L;

@@ -571,6 +571,8 @@ const Case drives[] = {
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"", "L", 2.4 + 0.3 * pi},
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"\narrangement = \"crossed\"", "gamma",
      0.2526802551420786},  // arcsin 0.25
+    {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"\na = \"1500 mm\"\narrangement = \"quarter_turn\"",
+     "beta_1", 2 * std::atan(0.1)},
     {"belt.flat", "b = \"100 mm\"\nd_2 = \"200 mm\"\nS_0 = \"900 N\"", "R_0", 1800.0},
     {"belt.flat",  // both spans at 300 mm from the pivot, but for the radius of 100 mm
      "b = \"100 mm\"\nd_2 = \"200 mm\"\ntensioning = \"pivoted_base\"\nm_m = \"400 kg\"\na_G = \"300 mm\"\n"

@@ -402,6 +402,9 @@ const Side pulleys[] = {
     {"belt.flat", "u_L", over, "L_req", R"("838 h")", R"("839 h")", "b = \"100 mm\"\nsigma_f = \"9 MPa\"\nm_f = 6"},
     {"belt.flat", "g_x", over, "a", R"("355.1 mm")", R"("354.9 mm")", R"(b = "100 mm")"},
     {"belt.flat", "x_a", outside, "a", R"("2000 mm")", R"("1999 mm")", "arrangement = \"crossed\"\nb = \"100 mm\""},
+    {"belt.flat", "x_q", outside, "a", R"("1400 mm")", R"("1399 mm")",
+     "arrangement = \"quarter_turn\"\nb = \"100 mm\""},
+    {"belt.flat", "x_t", outside, "b", R"("200 mm")", R"("201 mm")", "arrangement = \"quarter_turn\"\na = \"1600 mm\""},
     {"belt.flat", "x_b", outside, "b", R"("299 mm")", R"("301 mm")"},
 };
 

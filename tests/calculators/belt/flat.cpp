@@ -264,6 +264,31 @@ TEST_SUITE("belt flat") {
     CHECK(BeltStep(with(text, "L_req", "\"1000 h\"")).says("needs the S-N curve of the belt"));
   }
 
+  TEST_CASE("a quarter-turn drive has the spans, wraps and forces of tangents found in space by another program") {
+    belt::Flat::Input in = fan();
+    in.arrangement = belt::Arrangement::quarter_turn;
+    in.K_A = 1.2, in.a = 1500.0 * mm, in.b = 100.0 * mm;
+    const auto r = solve(in);
+    CHECK(rel(in_si(r.L), 4.195445400218905) < 1e-12);
+    CHECK(rel(r.alpha_1, 3.2747289811414406) < 1e-12);
+    CHECK(rel(r.alpha_2, 3.4718900084190465) < 1e-12);
+    CHECK(rel(r.beta_1, 0.13313632755164687) < 1e-9);
+    CHECK(rel(r.beta_2, 0.3302973548292537) < 1e-9);
+    CHECK(rel(in_si(r.S_0), 1094.2318556332161) < 1e-10);
+    CHECK(rel(in_si(r.R), 2040.0019361164661) < 1e-9);
+    CHECK(rel(in_si(r.R_0), 2154.0391087644366) < 1e-9);
+    const auto &one = r.shaft_1, &two = r.shaft_2;  // standstill is the larger
+    CHECK(rel(in_si(one.F_x), 2119.6325756454) < 1e-9);
+    CHECK(rel(in_si(one.F_y), 145.25201623449692) < 1e-9);
+    CHECK(rel(in_si(one.F_z), 354.88600723239443) < 1e-9);
+    CHECK(two.F_x == one.F_x);
+    CHECK(two.F_y == one.F_z);
+    CHECK(two.F_z == one.F_y);
+    // The approximation of handbooks: two hypotenuses and two half circumferences.
+    const double handbook = pi / 2 * 0.7 + std::hypot(1.5, 0.2) + std::hypot(1.5, 0.5);
+    CHECK(rel(in_si(r.L), handbook) < 5e-4);
+  }
+
   TEST_CASE("what can be got wrong is told") {
     CHECK(BeltStep(with(text, "a", "")).says("give either the centre distance a or the belt length L"));
     CHECK(BeltStep(with(text, "L", "\"3500 mm\"")).says("give either the centre distance a or the belt length"));

@@ -1,4 +1,5 @@
 #include "calculators/belt/flat.hpp"
+#include "calculators/belt/quarter_turn.hpp"
 #include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
@@ -53,6 +54,19 @@ TEST_SUITE("belt geometry") {
         CHECK(rel(in_si(found), a * 1e-3) < 1e-12);
       }
     }
+  }
+
+  TEST_CASE("the centre distance of a quarter-turn belt is that which gives its length") {
+    for (const double a : {311.0, 400.0, 1500.0, 1e6}) {
+      CAPTURE(a);
+      belt::Flat::Result r;
+      NoTrace trace;
+      const Arrangement turned = Arrangement::quarter_turn;
+      belt::lay_quarter_turn({120.0 * mm, 500.0 * mm, a * mm, unset<Length>, turned}, r, trace);
+      CHECK(rel(in_si(belt::centre_of_length({120.0 * mm, 500.0 * mm, unset<Length>, r.L, turned})), a * 1e-3) < 1e-12);
+    }
+    CHECK(!is_set(
+        belt::centre_of_length({100.0 * mm, 500.0 * mm, unset<Length>, 900.0 * mm, Arrangement::quarter_turn})));
   }
 
   TEST_CASE("a length that no centre distance has gives none") {

@@ -30,7 +30,7 @@ struct Synchronous {
       "Number of belt teeth or centre distance, teeth in mesh, power rating by ISO 5295, tensions and shaft loads of a "
       "two-pulley drive with a synchronous belt of trapezoidal profile (XL to XXH); curvilinear profiles, idlers and "
       "belt life are not covered.";
-  static constexpr auto source = "[Inventor-belts], [ISO5295], [RMA-IP24], [Tsubaki-belts]";
+  static constexpr auto source = "[B40], [Inventor-belts], [ISO5295], [RMA-IP24], [Tsubaki-belts]";
   static constexpr auto headline = "z {z_1}/{z_2}, p {p_b}, b = {b}";
   static constexpr auto details = "{z_B} belt teeth, a = {a}, belt speed v = {v}, shaft load R = {R}";
   static constexpr auto synonyms =
@@ -74,7 +74,7 @@ b = "50.8 mm"
           .at_least_that_of_source("shafts[#].P")
           .load()
           .positive()
-          .usually(0.01, 500)
+          .usually(0.01, 3000)
           .may_be_missing(),
       Field{&Input::T_1, "T_1", N_m, "torque at the driving pulley, replaces P"}
           .load()

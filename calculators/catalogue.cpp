@@ -20,7 +20,7 @@ namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743
 namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; struct InvertedTooth; }
 namespace drive { struct Train; struct FrictionWheels; }
-namespace belt { struct Flat; struct V; struct VSizing; struct Synchronous; struct Course; }
+namespace belt { struct Flat; struct V; struct VSizing; struct Synchronous; struct Grooved; struct Course; }
 namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct Spatial; struct UniversalJoint; struct AlongPath; }
 namespace dynamics {
   struct ForceOfMotion; struct Throw; struct Impulse; struct SystemMomentum; struct MassCentre;
@@ -108,6 +108,7 @@ static constexpr std::array all{
     Row{&erased<belt::V>},
     Row{&erased<belt::VSizing>},
     Row{&erased<belt::Synchronous>},
+    Row{&erased<belt::Grooved>},
     Row{&erased<belt::Course>},
     Row{&erased<motion::Point>},
     Row{&erased<motion::AlongPath>},

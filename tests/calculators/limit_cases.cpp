@@ -585,6 +585,8 @@ const Case drives[] = {
     {"belt.flat", "b = \"100 mm\"\nd_2 = \ni_set = 2", "i_w", 2.0},
     {"belt.flat", "b = \"100 mm\"\nd_2 = \nn_1 = \"1000 rpm\"\nn_2_set = \"500 rpm\"", "i_w", 2.0},
     {"belt.flat", "b = \"100 mm\"\nE_b = \"80 MPa\"", "sigma_b", 80e6 * 2.5 / 200},  // strain of the outer fibre
+    {"belt.grooved", "phi = ", "mu_w", 0.4},
+    {"belt.grooved", "d_2 = \"80 mm\"", "alpha_1", pi},
     {"belt.synchronous", "z_2 = 20", "z_0", 1000 / 12.7 + 20},
     {"belt.synchronous", "z_2 = 20", "z_m", 10.0},
     {"belt.synchronous", "b = \"76.2 mm\"", "k_w", 1.0},

@@ -411,6 +411,13 @@ const Side pulleys[] = {
 const char* const large = "d_1 = \"140 mm\"\nd_2 = \"4000 mm\"";
 
 const Side v_belts[] = {
+    {"belt.grooved", "S_N", over, "n_1", R"("11600 rpm")", R"("11700 rpm")", "z = 1"},
+    {"belt.grooved", "u_S", over, "S_0", R"("17.7 N")", R"("17.5 N")"},
+    {"belt.grooved", "u_T", over, "P", R"("377 W")", R"("378 W")", "z = 1"},
+    {"belt.grooved", "u_P", over, "P_R", R"("0.181 kW")", R"("0.179 kW")", "z = 1"},
+    {"belt.grooved", "u_b", over, "E_b", R"("53 MPa")", R"("54 MPa")", "z = 1"},
+    {"belt.grooved", "x_d", over, "d_min", R"("80 mm")", R"("81 mm")"},
+    {"belt.grooved", "x_v", outside, "v_max", R"("5.9 m/s")", R"("5.8 m/s")"},
     {"belt.synchronous", "u_P", over, "P", R"("5.34 kW")", R"("5.35 kW")"},
     {"belt.synchronous", "P_R", over, "n_1", R"("16100 rpm")", R"("16200 rpm")", R"(b = "76.2 mm")"},
     {"belt.synchronous", "x_m", outside, "a", R"("250 mm")", R"("180 mm")", "z_1 = 6\nz_2 = 60"},

@@ -80,6 +80,7 @@ constexpr std::array takes_alone{
     Reason{"belt.v", of_a_drive},
     Reason{"belt.v_sizing", of_a_drive},
     Reason{"belt.synchronous", of_a_drive},
+    Reason{"belt.grooved", of_a_drive},
     Reason{"belt.course", of_a_drive},
     Reason{"dynamics.force", of_a_body},
     Reason{"dynamics.impulse", of_a_body},

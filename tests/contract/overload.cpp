@@ -77,6 +77,8 @@ constexpr std::array without_load{
     Reason{"belt.flat grip", by_tension},
     Reason{"belt.flat speed", by_speed},
     Reason{"belt.flat twist", by_sizes},
+    Reason{"belt.grooved bending", by_sizes},
+    Reason{"belt.grooved grip", by_tension},
     Reason{"belt.synchronous pulley", by_sizes},
     Reason{"belt.synchronous speed", by_speed},
     Reason{"belt.v bending", by_speed},

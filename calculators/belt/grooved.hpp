@@ -13,6 +13,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/row_kind.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -81,7 +82,7 @@ E_b = "15 MPa"
     Tensioning tensioning = Tensioning::fixed;
   };
   static constexpr Fields inputs{
-      Choice{&Input::kind, "kind", "belt type"}.may_be_missing(),
+      RowKind<Input, Kind>{&Input::kind, "kind", "belt type", "ribbed_belt"},
       Field{&Input::P, "P", kW, "power at the driving pulley, mean over the cycle"}
           .at_least_that_of_source("shafts[#].P")
           .load()

@@ -58,7 +58,7 @@ void lay_teeth(const Synchronous::Input& in, Synchronous::Result& r, Tracer& tra
     r.z_B = trace.value("z_B", in.z_B, "as given");
   } else {
     r.z_0 = trace.value("z_0", teeth_at(in, in.a), "two spans and the arcs at the required centre distance, exact");
-    r.z_B = trace.value("z_B", std::max(std::round(r.z_0), least_teeth(in)), "the nearest whole number");
+    r.z_B = trace.value("z_B", std::max(std::round(r.z_0), least_teeth(in)), "the nearest integer");
   }
   STEP_TO(r, L, r.z_B * in.p_b, "pitch length of the belt");
   Pulleys pulleys = toothed_pulleys(in, r.z_B);
@@ -74,7 +74,7 @@ void mesh(const Synchronous::Input& in, Synchronous::Result& r, Tracer& trace) {
   STEP(z_k, min(in.z_1, in.z_2), "teeth of the smaller pulley");
   STEP(alpha_k, min(r.alpha_1, r.alpha_2), "wrap of the smaller pulley");
   const double z_w = NAMED_STEP("z_w", z_k * alpha_k / (2.0 * pi), "teeth on this wrap, [Tsubaki-belts]");
-  r.z_m = trace.value("z_m", std::floor(z_w + last_bits), "whole teeth in mesh");
+  r.z_m = trace.value("z_m", std::floor(z_w + last_bits), "complete teeth in mesh");
   r.x_m = r.z_m;
   STEP_TO(r, k_z, r.z_m < 6.0 ? max(1.0 - 0.2 * (6.0 - r.z_m), 0.0) : 1.0,
           "full rating from six teeth in mesh, a fifth less for each tooth below, [RMA-IP24]");

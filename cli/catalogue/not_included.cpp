@@ -51,10 +51,9 @@ constexpr std::array all{
     NotIncluded{"brakes: lining, heat and wear",
                 "brake, disc brake, drum brake, band brake, Bremse, Scheibenbremse, Trommelbremse, Bandbremse, тормоз",
                 "machine.run_up, dynamics.work"},
-    NotIncluded{
-        "toothed belts of curvilinear profile: power rating",
-        "HTD, GT, AT, STD, curvilinear profile, Hochleistungszahnriemen, зубчатый ремень с полукруглым профилем",
-        "belt.synchronous, belt.course"},
+    NotIncluded{"toothed belts of curvilinear profile: power rating",
+                "HTD, curvilinear profile, Hochleistungszahnriemen, зубчатый ремень с полукруглым профилем",
+                "belt.synchronous, belt.course"},
     NotIncluded{"conveyor and lifting chains", "leaf chain, conveyor chain, lifting chain, Hebekette, грузовая цепь",
                 "chain.roller"},
     NotIncluded{"wire ropes: strength and life", "rope, wire rope, cable, Seil, Drahtseil, канат, трос",

@@ -54,7 +54,6 @@ sigma_adm = "4 MPa"
 E_b = "15 MPa"
 )";
 const std::string ribbed = R"(calculator = "belt.grooved"
-kind = "ribbed"
 ribbed_belt = "PK"
 P = "5 kW"
 n_1 = "1450 rpm"

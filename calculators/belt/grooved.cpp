@@ -94,8 +94,9 @@ void tighten_strands(const Grooved::Input& in, Grooved::Result& r, Tracer& trace
   STEP(N_min, F_1 / 2.0 * (r.m_e + 1.0) / (r.m_e - 1.0),
        "minimum mean of the tensions less centrifugal tension, Euler's condition");
   const bool fixed = in.tensioning == Grooved::Tensioning::fixed;
-  STEP(F_lost, in.tensioning == Grooved::Tensioning::fixed ? r.F_c : 0.0 * N,
-       fixed ? "on fixed centres the centrifugal part relieves the grooves" : "the tensioner makes up for it");
+  const Force F_lost = trace.value(
+      "F_lost", fixed ? r.F_c : 0.0 * r.F_c,
+      fixed ? "on fixed centres the centrifugal part relieves the grooves" : "the tensioner makes up for it");
   STEP_TO(r, S_0_min, N_min + F_lost, "minimum initial tension at standstill");
   STEP_TO(r, S_0, is_set(in.S_0) ? in.S_0 : S_0_min, is_set(in.S_0) ? "as given" : "the minimum");
   STEP_TO(r, S_1, S_0 - F_lost + r.F_c + F_1 / 2.0, "tight span");

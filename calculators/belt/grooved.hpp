@@ -42,7 +42,6 @@ title = "Roller drive with round belts"
 
 [rollers]
 calculator = "belt.grooved"
-kind = "round"
 P = "150 W"
 K_A = 1.2
 n_1 = "1400 rpm"

@@ -586,9 +586,15 @@ const Case drives[] = {
     {"belt.flat", "b = \"100 mm\"\nd_2 = \nn_1 = \"1000 rpm\"\nn_2_set = \"500 rpm\"", "i_w", 2.0},
     {"belt.flat", "b = \"100 mm\"\nE_b = \"80 MPa\"", "sigma_b", 80e6 * 2.5 / 200},  // strain of the outer fibre
     {"belt.grooved", "phi = ", "mu_w", 0.4},
+    {"belt.grooved", "P = \nT_1 = \"2 N*m\"", "F_t", 60.0},
+    {"belt.grooved",
+     "kind = \"ribbed\"\nphi = \nd_b = \nrho = \nsigma_adm = \nE_b = \nq = \"0.02 kg/m\"\nP_R = \"0.1 kW\"\np_r = "
+     "\"3.56 mm\"",
+     "b", 2 * 3.56e-3},  // 180 W
     {"belt.grooved", "d_2 = \"80 mm\"", "alpha_1", pi},
     {"belt.synchronous", "z_2 = 20", "z_0", 1000 / 12.7 + 20},
     {"belt.synchronous", "z_2 = 20", "z_m", 10.0},
+    {"belt.synchronous", "P = \nT_1 = \"100 N*m\"\nn_1 = \"10 rad/s\"", "P_B", 1500.0},
     {"belt.synchronous", "b = \"76.2 mm\"", "k_w", 1.0},
     {"belt.synchronous", "a = \nz_B = 110\nz_2 = 20", "a", 0.0127 * 45},
     {"belt.v", "d_1 = \"200 mm\"\nd_2 = \"200 mm\"\nL = \nepsilon = 0\na = \"800 mm\"", "i", 1.0},

@@ -1,11 +1,13 @@
 #include "calculators/motion/point.hpp"
 
 #include "calculators/motion/path_figures.hpp"
+#include "calculators/motion/point_equation.hpp"
 #include "calculators/motion/point_path.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace loadpath::motion {
 
@@ -114,6 +116,31 @@ void take_range(const Point::Input& in, const PointPath& path, Point::Result& r,
   r.v_max = fastest * m_per_s, r.a_max = largest * m_per_s2;
 }
 
+/// The limits and the equations of the path; an equation longer than the text of a result is left out.
+template <class Tracer>
+void take_equation(const Point::Input& in, const PointPath& path, Point::Result& r, Tracer& trace) {
+  const double from = in_si(in.t_1), to = in_si(in.t_2);
+  const PathLimits limits = limits_of(path, from, to);
+  r.x_min = limits.low[0] * m, r.x_max = limits.high[0] * m;
+  r.y_min = limits.low[1] * m, r.y_max = limits.high[1] * m;
+  if (!in.z.empty()) r.z_min = limits.low[2] * m, r.z_max = limits.high[2] * m;
+  const PathEquations equations = equations_of(path, from, to);
+  constexpr std::size_t longest = decltype(r.path)::capacity;
+  double deviation = unset<double>;
+  const auto take = [&](const PathEquation& equation, auto& text) {
+    const std::string_view found = equation.curve.text;
+    if (found.empty() || found.size() > longest) return;
+    text = found;
+    deviation = std::isnan(deviation) ? equation.deviation : std::max(deviation, equation.deviation);
+  };
+  take(equations.plane, r.path);
+  take(equations.space, r.path_z);
+  const bool is_left_out = r.path.empty() && equations.plane.curve.form != PathForm::point;
+  r.form = is_left_out ? PathForm::no_equation : equations.plane.curve.form;
+  if (std::isnan(deviation)) return;
+  r.e_path = trace.value("e_path", deviation, "points of the path put into its equations, the time eliminated, [B26]");
+}
+
 void fill_states(const Point::Input& in, const PointPath& path, Point::Result& r) {
   for (const auto& instant : in.times) r.states.push_back(state_at(path, in_si(instant.t)));
   if (!in.times.empty() || !is_set(in.t_1)) return;
@@ -155,6 +182,7 @@ Point::Result Point::evaluate(const Input& in, Tracer& trace) {
   if (!rests) bend(r, trace);
   r.change = change_of(rests, r.a_tau, r.a);
   if (is_set(in.t_1)) take_range(in, path, r, trace);
+  if (is_set(in.t_1)) take_equation(in, path, r, trace);
   fill_states(in, path, r);
   return r;
 }

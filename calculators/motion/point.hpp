@@ -1,15 +1,18 @@
 // Motion of a point whose coordinates are laws of time: path, velocity, acceleration and its parts along the path.
 //
 // Decides nothing: it gives the state at one time with its derivation, a table of states at given times or evenly
-// over a range, and over the range the path length, the displacement and the extremes of speed. Derivatives are
-// exact. Sign: a_tau is positive where the speed grows; a_n and kappa are magnitudes. Source: [B26], [B28]. Not
-// covered: laws with kinks or jumps; where the point rests there is no tangent, hence no a_tau, a_n and rho.
+// over a range, and over the range the path length, the displacement, the extremes of speed, and the equation of the
+// path without the time, which holds between the given limits of the coordinates. Derivatives are exact. Sign: a_tau is
+// positive where the speed grows; a_n and kappa are magnitudes. Source: [B26], [B28]. Not covered: laws with kinks or
+// jumps; where the point rests there is no tangent, hence no a_tau, a_n and rho.
 #pragma once
 
+#include "calculators/motion/elimination/equation_text.hpp"
 #include "calculators/motion/laws.hpp"
 #include "calculators/motion/range.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/list.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -25,12 +28,13 @@ struct Point {
   static constexpr auto id = "motion.point";
   static constexpr auto title = "Kinematics of a point";
   static constexpr auto scope =
-      "Path, velocity, acceleration with tangential and normal components, radius of curvature and distance "
-      "travelled of a point from smooth laws of motion x(t), y(t), z(t).";
+      "Path and its equation, velocity, acceleration with tangential and normal components, radius of curvature and "
+      "distance travelled of a point from smooth laws of motion x(t), y(t), z(t).";
   static constexpr auto source = "[B26], [B28]";
   static constexpr auto headline = "v_max = {v_max}|v = {v}";
   static constexpr auto synonyms =
-      "kinematics, particle, velocity, acceleration, trajectory, tangential acceleration, normal acceleration, "
+      "kinematics, particle, velocity, acceleration, trajectory, equation of the path, eliminate the time, tangential "
+      "acceleration, normal acceleration, "
       "radius of curvature, Kinematik des Punktes, Bahnkurve, Normalbeschleunigung, кинематика точки, траектория, "
       "ускорение";
   static constexpr auto example = R"toml([project]
@@ -102,6 +106,11 @@ t_2 = "2 s"
     Length L = unset<Length>, Delta_r = unset<Length>;
     Speed v_m = unset<Speed>, v_L = unset<Speed>, v_max = unset<Speed>;
     Acceleration a_max = unset<Acceleration>;
+    ShortText<255> path, path_z;
+    PathForm form = PathForm::no_range;
+    double e_path = unset<double>;
+    Length x_min = unset<Length>, x_max = unset<Length>, y_min = unset<Length>, y_max = unset<Length>;
+    Length z_min = unset<Length>, z_max = unset<Length>;
     List<State, most_states> states;
   };
   static constexpr Fields results{
@@ -131,6 +140,17 @@ t_2 = "2 s"
       Field{&Result::v_L, "v_L", m_per_s, "mean speed from t_1 to t_2, distance / time"},
       Field{&Result::v_max, "v_max", m_per_s, "maximum speed from t_1 to t_2, at 257 times"},
       Field{&Result::a_max, "a_max", m_per_s2, "maximum acceleration from t_1 to t_2, at 257 times"},
+      FormulaField{&Result::path, "path", "equation of the path in the plane xy, x and y in m"},
+      FormulaField{&Result::path_z, "path_z", "second equation of a path in space, coordinates in m"},
+      Choice{&Result::form, "form", "form of the path in the plane xy"},
+      Field{&Result::e_path, "e_path", ratio,
+            "deviation of 257 points of the path from its equations, relative to the extent of the path"},
+      Field{&Result::x_min, "x_min", m, "minimum x from t_1 to t_2"},
+      Field{&Result::x_max, "x_max", m, "maximum x from t_1 to t_2"},
+      Field{&Result::y_min, "y_min", m, "minimum y from t_1 to t_2"},
+      Field{&Result::y_max, "y_max", m, "maximum y from t_1 to t_2"},
+      Field{&Result::z_min, "z_min", m, "minimum z from t_1 to t_2"},
+      Field{&Result::z_max, "z_max", m, "maximum z from t_1 to t_2"},
       ListField{&Result::states, "states", "states at the given times, or evenly over the range"}};
 
   static bool laws_read(const Input& in);
@@ -155,6 +175,18 @@ constexpr auto choices_of(Point::Change) {
   return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the point rests at this time"},
                     ChoiceName<C>{C::steady, "steady", "the speed does not change at this time"},
                     ChoiceName<C>{C::faster, "faster", "accelerated"}, ChoiceName<C>{C::slower, "slower", "retarded"}};
+}
+constexpr auto choices_of(PathForm) {
+  using F = PathForm;
+  return std::array{ChoiceName<F>{F::no_range, "no_range", "t_1 and t_2 are not given"},
+                    ChoiceName<F>{F::no_equation, "no_equation", "no closed equation without the time was found"},
+                    ChoiceName<F>{F::point, "point", "the point rests from t_1 to t_2"},
+                    ChoiceName<F>{F::line, "line", "straight line"},
+                    ChoiceName<F>{F::circle, "circle", "circle"},
+                    ChoiceName<F>{F::ellipse, "ellipse", "ellipse"},
+                    ChoiceName<F>{F::parabola, "parabola", "parabola"},
+                    ChoiceName<F>{F::hyperbola, "hyperbola", "hyperbola"},
+                    ChoiceName<F>{F::other, "other_curve", "another curve, by its equation"}};
 }
 
 }  // namespace loadpath::motion

@@ -51,11 +51,13 @@ bool is_handed_over(const Evaluation& evaluation, const std::string& path) {
   return head != nullptr && head->is_handed_over;
 }
 
-/// Names in the calculation: the section that it found; and words of records: of a drive that was picked.
+/// Names and formulas in the calculation: the section that it found, the equation of a path; and words of records: of a
+/// drive that was picked.
 void add_words(const Evaluation& evaluation, std::vector<Entry>& entries) {
   const Record& result = evaluation.result();
   for (const FieldInfo& field : evaluation.calculator().result->fields) {
-    if (field.type != FieldInfo::Type::name || field.text(result.data.get()).empty()) continue;
+    const bool is_text = field.type == FieldInfo::Type::name || field.type == FieldInfo::Type::formula;
+    if (!is_text || field.text(result.data.get()).empty()) continue;
     entries.push_back({field.key, field.doc, "-", field.role, {}, {}, std::string(field.text(result.data.get()))});
   }
   for_each_leaf(result, [&](const std::string& path, const Leaf& leaf) {

@@ -236,6 +236,7 @@ const Law drives[] = {
 const Law motion[] = {
     {"motion.point", "", "x = \"6 m*sin(pi*t/(1 s))\"\ny = \"10 m*cos(pi*t/(1 s))\"", "a", 2},
     {"motion.point", "", "x = \"6 m*sin(pi*t/(1 s))\"\ny = \"10 m*cos(pi*t/(1 s))\"", "kappa", 0.5},
+    {"motion.point", "", "x = \"6 m*sin(pi*t/(1 s))\"\ny = \"10 m*cos(pi*t/(1 s))\"", "x_max", 2},
     {"motion.along_path", "", "S = \"40 m/s*t - 4 m/s^2*t^2\"\nt = \"2 s\"", "a_n", 4},
     {"motion.along_path", "", "S = \"40 m/s*t - 4 m/s^2*t^2\"\nt = \"2 s\"", "kappa", 1},
     {"motion.rotation", "", R"(phi = "180 deg*(t/(1 s))^2")", "a_n", 4},

@@ -613,6 +613,10 @@ const char* const blow =
 
 const Case motion[] = {
     {"motion.point", "x = \"3 m/s*t\"\ny = \"4 m/s*t\"", "kappa", 0.0},
+    // from 0 to 2 s the vertex of a parabola, and points exactly on it
+    {"motion.point", "x = \"3 m/s*t\"\ny = \"4 m/s*t - 2 m/s^2*t^2\"", "y_max", 2.0},
+    {"motion.point", "x = \"3 m/s*t\"\ny = \"4 m/s*t - 2 m/s^2*t^2\"", "x_min", 0.0},
+    {"motion.point", "x = \"2 m/s*t\"\ny = \"1 m/s^2*t^2\"", "e_path", 0.0},
     // a screw line of 3 m radius that rises by 4 m per radian: 20 m/s, 3/25 of its square
     {"motion.along_path", "x = \"3 m*cos(q)\"\ny = \"3 m*sin(q)\"\nz = \"4 m*q\"\nS = \"-10 m/s^2*t^2\"\nt = \"1 s\"",
      "a_n", 48.0},

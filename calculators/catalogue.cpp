@@ -19,6 +19,8 @@ namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; st
 namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; struct Multiaxial; struct Staircase; struct Survival; struct Fkm; }
 namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; struct InvertedTooth; }
+namespace gear { struct Cycloidal; struct Pair; struct Planetary; struct Rating; }
+namespace chain { struct Roller; }
 namespace drive { struct Train; struct FrictionWheels; }
 namespace belt { struct Flat; struct V; struct VSizing; struct Synchronous; struct Grooved; struct Course; }
 namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct Spatial; struct UniversalJoint; struct AlongPath; }
@@ -100,6 +102,7 @@ static constexpr std::array all{
     Row{&erased<gear::Pair>},
     Row{&erased<gear::Planetary>},
     Row{&erased<gear::Rating>},
+    Row{&erased<gear::Cycloidal>},
     Row{&erased<chain::Roller>},
     Row{&erased<chain::InvertedTooth>},
     Row{&erased<drive::Train>},

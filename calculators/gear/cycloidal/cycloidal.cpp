@@ -1,0 +1,131 @@
+#include "calculators/gear/cycloidal/cycloidal.hpp"
+
+#include "lib/calculator/calculator_of.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace loadpath::gear {
+
+namespace {
+
+using std::numbers::pi;
+
+/// The flank of the wheel by the angle theta of the rolling circle since the point of contact was the pitch point. The
+/// contact lies on the line from the pitch point to the point of the circle, at half the angle to the tangent.
+struct CycloidFlank {
+  double r_2 = 0.0, rho = 0.0, r_p = 0.0;  // pitch radius of the wheel, radii of the rolling circle and of the pins; m
+
+  [[nodiscard]] double distance(double theta) const { return 2.0 * rho * std::sin(0.5 * theta) - r_p; }
+  [[nodiscard]] double radius(double theta) const {
+    const double l = distance(theta), half = 0.5 * theta;
+    return std::hypot(r_2 + l * std::sin(half), l * std::cos(half));
+  }
+  /// The polar angle of the point of the flank from the start of the epicycloid, towards the middle of the tooth.
+  [[nodiscard]] double polar(double theta) const {
+    const double l = distance(theta), half = 0.5 * theta;
+    return theta * rho / r_2 - std::atan2(l * std::cos(half), r_2 + l * std::sin(half));
+  }
+  /// Where the flank begins: its radius of curvature, that of the epicycloid less that of the pin, is zero.
+  [[nodiscard]] double start() const {
+    return 2.0 * std::asin(std::min(1.0, r_p * (r_2 + 2.0 * rho) / (4.0 * rho * (r_2 + rho))));
+  }
+};
+
+CycloidFlank flank_of(const Cycloidal::Input& in) {
+  const double r_1 = 0.5 * in_si(in.m) * in.z_1, r_2 = 0.5 * in_si(in.m) * in.z_2;
+  if (!Cycloidal::is_lantern(in)) return {r_2, 0.5 * r_1, 0.0};
+  return {r_2, r_1, 0.5 * in_si(in.d_p)};
+}
+
+/// The polar angle of the middle of the tooth from the start of the epicycloid.
+double middle_of(const Cycloidal::Input& in) {
+  const double space = Cycloidal::is_lantern(in) ? 1.0 : 0.5;
+  return space * pi / in.z_2 - in_si(in.j) / (in_si(in.m) * in.z_2);
+}
+
+/// The angle at which a rising function takes a value, between two angles.
+template <class Function>
+double angle_where(const Function& function, double value, double low, double high) {
+  constexpr int halvings = 60;
+  for (int k = 0; k < halvings; ++k) {
+    const double between = 0.5 * (low + high);
+    (function(between) < value ? low : high) = between;
+  }
+  return 0.5 * (low + high);
+}
+
+double pointed_angle(const Cycloidal::Input& in) {
+  const CycloidFlank flank = flank_of(in);
+  return angle_where([&](double theta) { return flank.polar(theta); }, middle_of(in), flank.start(), pi);
+}
+
+/// Where the flank ends at a tip of this radius.
+double tip_angle(const Cycloidal::Input& in, double radius) {
+  const CycloidFlank flank = flank_of(in);
+  return angle_where([&](double theta) { return flank.radius(theta); }, radius, flank.start(), pointed_angle(in));
+}
+
+template <class Tracer>
+void take_wheel(const Cycloidal::Input& in, Cycloidal::Result& r, Tracer& trace) {
+  STEP_TO(r, i, in.z_2 / in.z_1, "numbers of teeth");
+  STEP_TO(r, d_1, in.m * in.z_1, "pitch circle");
+  STEP_TO(r, d_2, in.m * in.z_2, "pitch circle");
+  STEP_TO(r, a, (d_1 + d_2) / 2.0, "the pitch circles touch");
+  STEP_TO(r, p, pi * in.m, "definition of the module");
+  if (Cycloidal::is_lantern(in)) {
+    STEP_TO(r, s_2, p - in.d_p - in.j, "the pins fill the spaces but for the backlash");
+  } else {
+    STEP_TO(r, s_2, p / 2.0 - in.j, "half the pitch less the backlash, [BS978-2]");
+    STEP_TO(r, s_1, in.z_1 <= 10.0 ? 1.05 * in.m : 1.25 * in.m, "[BS978-2]");
+  }
+  const Length r_s =
+      trace.value("r_s", flank_of(in).radius(pointed_angle(in)) * m, "radius at which both flanks of a tooth meet");
+  STEP_TO(r, f, (r_s - d_2 / 2.0) / in.m, "addendum of pointed teeth, by the module");
+  STEP_TO(r, h_a2, in.k_a * f * in.m, "the tips keep k_a of it; 0.95 in [BS978-2]");
+  STEP_TO(r, d_a2, d_2 + 2.0 * h_a2, "addendum on both sides");
+  if (Cycloidal::is_lantern(in)) return;
+  STEP_TO(r, r_f2, 1.40 * f * in.m, "[BS978-2]");
+  STEP_TO(r, h_f1, h_a2 + 0.4 * in.m, "0.4 m of clearance, [BS978-2]");
+}
+
+}  // namespace
+
+bool Cycloidal::has_teeth(const Input& in) {
+  if (is_lantern(in) != is_set(in.d_p)) return true;  // another rule reports it
+  const CycloidFlank flank = flank_of(in);
+  const double middle = middle_of(in);
+  return flank.polar(flank.start()) < middle && flank.polar(pi) > middle && flank.distance(pointed_angle(in)) > 0.0;
+}
+
+template <class Tracer>
+Cycloidal::Result Cycloidal::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  take_wheel(in, r, trace);
+  const CycloidFlank flank = flank_of(in);
+  STEP(rho, in.pinion == Pinion::pins ? r.d_1 / 2.0 : r.d_1 / 4.0, "radius of the rolling circle");
+  const double theta_a = trace.angle("theta_a", tip_angle(in, in_si(r.d_a2) / 2.0),
+                                     "rotation of the rolling circle until the tip leaves the pinion");
+  const double theta_e =
+      trace.angle("theta_e", flank.start(), "rotation at which the flank begins, by its radius of curvature");
+  STEP_TO(r, phi_a, 2.0 * rho * theta_a / r.d_1, "pitch circle of the pinion and rolling circle roll on each other");
+  STEP_TO(r, alpha_a, theta_a / 2.0, "angle of the chord to the tangent");
+  STEP_TO(r, eps, in.z_1 * rho * (theta_a - theta_e) / (pi * r.d_1), "rotation in contact, by that of one pitch");
+  const Length L_a =
+      trace.value("L_a", std::abs(flank.distance(theta_a)) * m, "distance of the last contact from the pitch point");
+  STEP_TO(r, K_g, L_a * (2.0 / r.d_1 + 2.0 / r.d_2), "relative rotation about the pitch point");
+  if (is_lantern(in)) {
+    STEP_TO(r, eps_pins, eps, "the next pin must be in contact by then");
+  } else {
+    STEP_TO(r, phi_e, max(2.0 * pi / in.z_1 - phi_a, 0.0), "rest of one pitch");
+  }
+  return r;
+}
+
+template Cycloidal::Result Cycloidal::evaluate(const Input&, NoTrace&);
+template Cycloidal::Result Cycloidal::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath::gear
+
+template const loadpath::Calculator& loadpath::erased<loadpath::gear::Cycloidal>();

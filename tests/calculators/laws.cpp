@@ -203,6 +203,8 @@ const Law drives[] = {
     {"gear.pair", "", "m_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"", "eps_gamma", 1},
     {"gear.pair", "cutting = ", "cutting = \nm_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"",
      "u_F1", 1},
+    {"gear.cycloidal", "", "m = \"4 mm\"\nd_p = \"6 mm\"", "d_a2", 2},
+    {"gear.cycloidal", "", "m = \"4 mm\"\nd_p = \"6 mm\"", "eps", 1},
     {"gear.planetary", "", R"(T_s = "100 N*m")", "T_c", 2},
     {"gear.planetary", "", R"(n_s = "2900 rpm")", "n_p", 2},
     {"chain.roller", "", R"(P = "6 kW")", "F_t", 2},

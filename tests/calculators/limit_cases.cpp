@@ -482,6 +482,8 @@ const Case racks[] = {
     {"gear.rating", "h_aP = 0.67\nT_1 = \"1 N*m\"", "K_Falpha", 1.2},
     {"gear.rating", "h_aP = 0.7\nbeta = \"8 deg\"\nT_1 = \"1 N*m\"", "K_Halpha", 1.4},
     {"gear.rating", "h_aP = 0.7\nbeta = \"8 deg\"\nT_1 = \"1 N*m\"", "K_Falpha", 1.4},
+    {"gear.cycloidal", "pinion = \"leaves\"\nd_p = \nz_1 = 40\nz_2 = 200", "phi_e", 0.0},  // many leaves need no lead
+    {"gear.cycloidal", "pinion = \"leaves\"\nd_p = \nz_1 = 10\nz_2 = 30", "a", 0.04},
     {"gear.pair", rack, "a_w", 25e-3 + 0.3 * 2.5e-3},
     {"gear.pair", "mesh = \"rack\"\nz_2 = \nsigma_adm_2 = \nbeta = \"0 deg\"\na_w = \"25.75 mm\"", "x_0", 0.3},
     {"gear.pair", rack, "alpha_wt", pi / 9},

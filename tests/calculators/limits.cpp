@@ -352,6 +352,7 @@ const Side gears[] = {
      "beta = \"0 deg\"\na_w = \nx_1 = 0\nt_k1 = \"2 mm\""},
     {"gear.pair", "m_R2", outside, "bore_2", R"("116.7 mm")", R"("116.8 mm")",
      "beta = \"0 deg\"\na_w = \nx_1 = 0\nt_k2 = \"3 mm\""},
+    {"gear.cycloidal", "eps_pins", over, "k_a", "0.545", "0.54"},
     {"gear.planetary", "z_gap", outside, "z_p", "28", "27"},
     {"gear.planetary", "z_gap", outside, "z_p", "32", "33"},
     {"gear.planetary", "u_N", over, "N_p", "3", "4", "z_s = 12\nz_p = 60\nz_r = 132"},

@@ -20,6 +20,7 @@ namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743
 namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; struct InvertedTooth; }
 namespace gear { struct Cycloidal; struct Pair; struct Planetary; struct Rating; }
+namespace gear { struct Pair; struct Planetary; struct Rating; struct Bevel; }
 namespace chain { struct Roller; }
 namespace drive { struct Train; struct FrictionWheels; }
 namespace belt { struct Flat; struct V; struct VSizing; struct Synchronous; struct Grooved; struct Course; }
@@ -103,6 +104,7 @@ static constexpr std::array all{
     Row{&erased<gear::Planetary>},
     Row{&erased<gear::Rating>},
     Row{&erased<gear::Cycloidal>},
+    Row{&erased<gear::Bevel>},
     Row{&erased<chain::Roller>},
     Row{&erased<chain::InvertedTooth>},
     Row{&erased<drive::Train>},

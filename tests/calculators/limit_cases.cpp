@@ -456,6 +456,11 @@ const char* const rack = "mesh = \"rack\"\nz_2 = \nsigma_adm_2 = \nbeta = \"0 de
 
 // A wheel of 20 teeth of 2.5 mm, shifted by 0.3, on a rack.
 const Case racks[] = {
+    {"gear.bevel", "z_2 = 20", "delta_1", pi / 4},                 // alike, at right angles
+    {"gear.bevel", "z_2 = 20\nSigma = \"60 deg\"", "R_e", 0.080},  // 40 mm / sin 30 deg
+    {"gear.bevel", "N = 1e10\nL_h = \nT_G = \"249 degF\"", "K_T", 1},
+    {"gear.bevel", "N = 500\nL_h = ", "K_L1", 2.7},
+    {"gear.bevel", "b = \"12.7 mm\"", "C_s", 0.5},
     {"gear.rating", "beta = \"8 deg\"", "Z_beta", std::sqrt(std::cos(8 * pi / 180))},
     {"gear.rating", "beta = \"8 deg\"\nstandard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"", "Z_beta",
      1 / std::sqrt(std::cos(8 * pi / 180))},

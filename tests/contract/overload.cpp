@@ -104,6 +104,7 @@ constexpr std::array without_load{
     Reason{"dynamics.throw landing", by_speed},
     Reason{"dynamics.throw reach", by_speed},
     Reason{"dynamics.work reach", "the force is zero, or drives it on"},
+    Reason{"gear.bevel dynamic", by_speed},
     Reason{"gear.rating dynamic", by_speed},
     Reason{"link.member inertia", by_speed},
     Reason{"link.member slenderness", by_sizes},

@@ -461,6 +461,10 @@ const Case racks[] = {
     {"gear.bevel", "N = 1e10\nL_h = \nT_G = \"249 degF\"", "K_T", 1},
     {"gear.bevel", "N = 500\nL_h = ", "K_L1", 2.7},
     {"gear.bevel", "b = \"12.7 mm\"", "C_s", 0.5},
+    {"gear.worm", "z_1 = 10", "gamma", pi / 4},  // 10 threads of 4 mm on 40 mm
+    {"gear.worm", "mu = 0.005\nz_1 = 10", "eta", (std::cos(pi / 9) - 0.005) / (std::cos(pi / 9) + 0.005)},
+    {"gear.worm", "mu = 0.05\nz_1 = 10\nz_2 = 200", "C_m", 0.02 * 18 + 0.46},
+    {"gear.worm", "b_2 = \"35 mm\"", "F_e", 0.0268},
     {"gear.rating", "beta = \"8 deg\"", "Z_beta", std::sqrt(std::cos(8 * pi / 180))},
     {"gear.rating", "beta = \"8 deg\"\nstandard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"", "Z_beta",
      1 / std::sqrt(std::cos(8 * pi / 180))},

@@ -352,12 +352,15 @@ const Side gears[] = {
     {"gear.bevel", "x_v", outside, "n_1", R"("6953 rpm")", R"("6954 rpm")"},
     {"gear.bevel", "N_1", outside, "N", "1e10", "1.001e10", "L_h = "},
     {"gear.bevel", "N_2", outside, "N", "2000", "1999", "L_h = "},
+    {"gear.bevel", "m_R1", outside, "bore_1", R"("36.1 mm")", R"("36.2 mm")"},
+    {"gear.bevel", "m_R2", outside, "bore_2", R"("91.8 mm")", R"("91.9 mm")"},
     {"gear.worm", "u_W", over, "S_Wmin", "5.199", "5.2"},
     {"gear.worm", "u_F", over, "sigma_adm", R"("29.6 MPa")", R"("29.5 MPa")"},
     {"gear.worm", "u_T", over, "dT_adm", R"("14.3 K")", R"("14.2 K")"},
     {"gear.worm", "x_z", over, "z_2", "17", "16"},
     {"gear.worm", "x_L", over, "mu", "0.188", "0.187", "locking = \"required\""},  // 0.2 cos(20 deg)
     {"gear.worm", "x_i", outside, "z_2", "200", "201"},
+    {"gear.worm", "m_R2", outside, "bore_2", R"("128.4 mm")", R"("128.5 mm")"},
     {"gear.worm", "x_s", outside, "n_1", R"("14045 rpm")", R"("14046 rpm")"},
     {"gear.worm", "C_s", outside, "m_x", R"("9.32 mm")", R"("9.33 mm")",  // 10^((1190 - 300)/477) in
      "d_1 = \"200 mm\"\nz_2 = 200\ncasting = \"sand\""},

@@ -12,11 +12,10 @@ namespace bevel {
 /// where gear 1 turns counter-clockwise, else -1.
 inline void hand_over(const Input& in, Moment T_1, double w, Result& r) {
   const double K_A = in.K_A, inner = (r.R_e - in.b) / r.R_e;
-  const Force along = K_A * w * (T_1 < 0.0 * N_m.one ? -r.F_t : r.F_t);
-  r.gear_1 = shaft_load(K_A * T_1, {-K_A * r.F_r1, -along, K_A * r.F_a1}, r.d_m1, w * in.n_1);
-  r.gear_2 = shaft_load(K_A * r.T_2, {-K_A * r.F_r2, -along, K_A * r.F_a2}, r.d_m2, -w * r.n_2);
-  r.gear_1.d_f = inner * r.d_f1, r.gear_1.h_t = inner * (r.h_a1 + r.h_f1);
-  r.gear_2.d_f = inner * r.d_f2, r.gear_2.h_t = inner * (r.h_a2 + r.h_f2);
+  r.gear_1 = shaft_load(K_A * T_1, {-K_A * r.F_r1, r.F_y1, K_A * r.F_a1}, r.d_m1, w * in.n_1);
+  r.gear_2 = shaft_load(K_A * r.T_2, {-K_A * r.F_r2, r.F_y1, K_A * r.F_a2}, r.d_m2, -w * r.n_2);
+  r.gear_1.d_f = r.d_fi1, r.gear_1.h_t = inner * (r.h_a1 + r.h_f1);
+  r.gear_2.d_f = r.d_fi2, r.gear_2.h_t = inner * (r.h_a2 + r.h_f2);
   r.gear_1.kind = r.gear_2.kind = Mounted::gear;
   r.gear_1.b_r = r.gear_2.b_r = in.b;
   r.gear_1.bore = in.bore_1, r.gear_2.bore = in.bore_2;
@@ -40,6 +39,7 @@ void load(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, F_a2, F_t * tan(in.alpha) * sin(r.delta_2), "the separating force, along shaft 2");
   STEP_TO(r, W_t, 2.0 * abs(T) / r.d_1, "at the outer pitch diameter, [AGMA2003]");
   const double w = trace.value("w", in.turns == Turns::ccw ? 1.0 : -1.0, "1 where gear 1 turns counter-clockwise");
+  STEP_TO(r, F_y1, -w * in.K_A * 2.0 * T / r.d_m1, "against the rotation where gear 1 drives");
   hand_over(in, T, w, r);
 }
 
@@ -63,6 +63,7 @@ Bevel::Result Bevel::evaluate(const Input& in, Tracer& trace) {
   Result r;
   bevel::cones(in, r, trace);
   bevel::heights(in, r, trace);
+  bevel::rims(in, r, trace);
   bevel::virtual_gears(in, r, trace);
   bevel::load(in, r, trace);
   if (!rates(in)) return r;

@@ -221,6 +221,8 @@ S_Fmin = 1.5
       Mode<Input>{"undercut", "undercut", &always<Input>}.judged_by("x_free").of_shape(),
       Mode<Input>{"pointed", "tip thickness", &always<Input>}.judged_by("s_a").of_shape(),
       Mode<Input>{"width", "face width", &always<Input>}.judged_by("x_R, x_m").of_shape(),
+      Mode<Input>{"rim_1", "rim thickness, gear 1", &unseen<Input>}.judged_by("m_R1").wanting("bore_1").special(),
+      Mode<Input>{"rim_2", "rim thickness, gear 2", &unseen<Input>}.judged_by("m_R2").wanting("bore_2").special(),
       Mode<Input>{"mounting", "displacement of the gears by deflection of shafts and housing", &unseen<Input>}
           .special(),
       Mode<Input>{"backlash", "backlash", &unseen<Input>}.special(),

@@ -38,12 +38,28 @@ void heights(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, d_a2, r.d_2 + 2.0 * h_a2 * cos(r.delta_2), "across the pitch cone, [KHK-bevel]");
   STEP_TO(r, d_f1, r.d_1 - 2.0 * h_f1 * cos(r.delta_1), "across the pitch cone");
   STEP_TO(r, d_f2, r.d_2 - 2.0 * h_f2 * cos(r.delta_2), "across the pitch cone");
+  STEP_TO(r, d_fi1, d_f1 * (r.R_e - in.b) / r.R_e, "the root cone has its tip in the apex");
+  STEP_TO(r, d_fi2, d_f2 * (r.R_e - in.b) / r.R_e, "the root cone has its tip in the apex");
   STEP_TO(r, theta_f1, atan(h_f1 / r.R_e), "root cone with its tip in the apex, [KHK-bevel]");
   STEP_TO(r, theta_f2, atan(h_f2 / r.R_e), "root cone with its tip in the apex, [KHK-bevel]");
   STEP_TO(r, delta_a1, r.delta_1 + theta_f2, "parallel to the root cone of the mate, [KHK-bevel]");
   STEP_TO(r, delta_a2, r.delta_2 + theta_f1, "parallel to the root cone of the mate, [KHK-bevel]");
   STEP_TO(r, delta_f1, r.delta_1 - theta_f1, "[KHK-bevel]");
   STEP_TO(r, delta_f2, r.delta_2 - theta_f2, "[KHK-bevel]");
+}
+
+/// Rims between bore and root circle at the inner end, where they are thinnest, over the tooth depth there.
+template <class Tracer>
+void rims(const Input& in, Result& r, Tracer& trace) {
+  STEP(inner, (r.R_e - in.b) / r.R_e, "size of the inner end over that of the outer one");
+  if (is_set(in.bore_1)) {
+    STEP_TO(r, m_R1, (r.d_fi1 - in.bore_1) / (2.0 * inner * (r.h_a1 + r.h_f1)),
+            "rim over tooth depth, as in gear.pair");
+  }
+  if (is_set(in.bore_2)) {
+    STEP_TO(r, m_R2, (r.d_fi2 - in.bore_2) / (2.0 * inner * (r.h_a2 + r.h_f2)),
+            "rim over tooth depth, as in gear.pair");
+  }
 }
 
 /// Tip thickness over module of a spur gear with z_v teeth: by the involute from the pitch circle to the tip.

@@ -32,6 +32,8 @@ inline constexpr auto bevel_results = [] {
       Field{&Result::d_a2, "d_a2", mm, "outer tip diameter, gear 2"},
       Field{&Result::d_f1, "d_f1", mm, "outer root diameter, gear 1"},
       Field{&Result::d_f2, "d_f2", mm, "outer root diameter, gear 2"},
+      Field{&Result::d_fi1, "d_fi1", mm, "inner root diameter, gear 1"},
+      Field{&Result::d_fi2, "d_fi2", mm, "inner root diameter, gear 2"},
       Field{&Result::theta_f1, "theta_f1", deg, "dedendum angle, gear 1"},
       Field{&Result::theta_f2, "theta_f2", deg, "dedendum angle, gear 2"},
       Field{&Result::delta_a1, "delta_a1", deg, "face (tip) cone angle, gear 1, for constant clearance"},
@@ -62,10 +64,20 @@ inline constexpr auto bevel_results = [] {
       tooth_force(&Result::F_r2, "F_r2", "nominal radial force on gear 2, towards its axis", "F_t, F_a2, T_2|gear_2.T"),
       tooth_force(&Result::F_a2, "F_a2", "nominal axial force on gear 2, away from the apex",
                   "F_t, F_r2, T_2|gear_2.T"),
+      tooth_force(&Result::F_y1, "F_y1", "tangential force on gear 1 along y of its shaft, signed, with K_A",
+                  "F_r1, F_a1, T_1|gear_1.T")
+          .holding("K_A"),
       Group{&Result::gear_1, "gear_1", "shaft load of gear 1: x towards the mesh, z away from the apex, for load"}
           .handed_over(),
       Group{&Result::gear_2, "gear_2", "shaft load of gear 2: x towards the mesh, z away from the apex, for load"}
           .handed_over(),
+      Field{&Result::m_R1, "m_R1", ratio,
+            "backup ratio of gear 1: rim at the inner end / tooth depth (tooth root formulas apply from 1.2)"}
+          .limit(1.2 * (1 - 1e-9), 1e6)
+          .where_it_applies(),
+      Field{&Result::m_R2, "m_R2", ratio, "backup ratio of gear 2: rim at the inner end / tooth depth"}
+          .limit(1.2 * (1 - 1e-9), 1e6)
+          .where_it_applies(),
       Field{&Result::W_t, "W_t", N, "nominal tangential force at the outer pitch diameter, for the rating"},
       Field{&Result::K_v, "K_v", ratio, "dynamic factor"},
       Field{&Result::x_v, "x_v", ratio, "pitch line velocity / maximum for this accuracy number"}

@@ -51,6 +51,7 @@ struct BevelTypes {
     Length d_m1 = unset<Length>, d_m2 = unset<Length>, m_m = unset<Length>;
     Length h_a1 = unset<Length>, h_a2 = unset<Length>, h_f1 = unset<Length>, h_f2 = unset<Length>;
     Length d_a1 = unset<Length>, d_a2 = unset<Length>, d_f1 = unset<Length>, d_f2 = unset<Length>;
+    Length d_fi1 = unset<Length>, d_fi2 = unset<Length>;
     double theta_f1 = unset<double>, theta_f2 = unset<double>;
     double delta_a1 = unset<double>, delta_a2 = unset<double>, delta_f1 = unset<double>, delta_f2 = unset<double>;
     double z_v1 = unset<double>, z_v2 = unset<double>;
@@ -59,7 +60,9 @@ struct BevelTypes {
     Speed v_e = unset<Speed>;
     Moment T_2 = unset<Moment>;
     Force F_t = unset<Force>, F_r1 = unset<Force>, F_a1 = unset<Force>, F_r2 = unset<Force>, F_a2 = unset<Force>;
+    Force F_y1 = unset<Force>;
     ShaftLoad gear_1, gear_2;
+    double m_R1 = unset<double>, m_R2 = unset<double>;
     Force W_t = unset<Force>;
     double K_v = unset<double>, x_v = unset<double>, K_s = unset<double>, K_m = unset<double>;
     double C_s = unset<double>, C_xc = unset<double>, C_p = unset<double>;

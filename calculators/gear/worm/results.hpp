@@ -49,9 +49,21 @@ inline constexpr auto worm_results = [] {
       Field{&Result::P_1, "P_1", kW, "power of the worm, nominal"},
       Field{&Result::P_2, "P_2", kW, "power of the wheel, nominal"},
       Field{&Result::P_V, "P_V", kW, "power loss of the mesh"},
+      Field{&Result::F_y1, "F_y1", N, "tangential force on the worm along y of its shaft, signed, with K_A"}
+          .load()
+          .with("F_z1, F_r, T_1|worm.T")
+          .holding("K_A"),
+      Field{&Result::F_z1, "F_z1", N, "axial force on the worm along z of its shaft, signed, with K_A"}
+          .load()
+          .with("F_y1, F_r, T_1|worm.T")
+          .holding("K_A"),
       Group{&Result::worm, "worm", "shaft load of the worm: x towards the wheel, for load"}.handed_over(),
       Group{&Result::wheel, "wheel", "shaft load of the wheel: x towards the worm, z along y of the worm, for load"}
           .handed_over(),
+      Field{&Result::m_R2, "m_R2", ratio,
+            "backup ratio of the wheel: rim / tooth depth (tooth root formulas apply from 1.2)"}
+          .limit(1.2 * (1 - 1e-9), 1e6)
+          .where_it_applies(),
       Field{&Result::C_s, "C_s", ratio, "materials factor (inch units): large wheels below 300 are not rated"}
           .limit(300, 1000)
           .where_it_applies(),

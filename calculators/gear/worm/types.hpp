@@ -49,7 +49,9 @@ struct WormTypes {
     Moment T_1 = unset<Moment>, T_2 = unset<Moment>;
     Force F_t1 = unset<Force>, F_t2 = unset<Force>, F_r = unset<Force>, F_n = unset<Force>;
     Power P_1 = unset<Power>, P_2 = unset<Power>, P_V = unset<Power>;
+    Force F_y1 = unset<Force>, F_z1 = unset<Force>;
     ShaftLoad worm, wheel;
+    double m_R2 = unset<double>;
     double C_s = unset<double>, C_m = unset<double>, C_v = unset<double>, x_i = unset<double>, x_s = unset<double>;
     Length F_e = unset<Length>;
     Force W_tR = unset<Force>;

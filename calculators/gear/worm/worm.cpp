@@ -20,6 +20,9 @@ void lay_out(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, d_f1, in.d_1 - 2.0 * in.h_fP * in.m_x, "[KHK-worm]");
   STEP_TO(r, d_a2, d_2 + 2.0 * in.h_aP * in.m_x, "in the middle plane, [KHK-worm]");
   STEP_TO(r, d_f2, d_2 - 2.0 * in.h_fP * in.m_x, "in the middle plane");
+  if (is_set(in.bore_2)) {
+    STEP_TO(r, m_R2, (d_f2 - in.bore_2) / (d_a2 - d_f2), "rim over tooth depth, as in gear.pair");
+  }
   STEP_TO(r, L_1, p_x * (4.5 + 0.02 * in.z_2), "[KHK-worm]");
   STEP_TO(r, b_2H, 2.0 * in.m_x * sqrt(q + 1.0), "[KHK-worm]");
   STEP(alpha_x, atan(tan(in.alpha_n) / cos(gamma)), "axial pressure angle");
@@ -47,8 +50,8 @@ void slide(const Input& in, Result& r, Tracer& trace) {
 /// Loads on the shafts, with K_A. `h`: 1 for a right-hand worm, else -1; `w`: 1 where it turns counter-clockwise.
 inline void hand_over(const Input& in, double h, double w, Result& r) {
   const double K_A = in.K_A;
-  r.worm = shaft_load(K_A * r.T_1, {-K_A * r.F_r, -w * K_A * r.F_t1, w * h * K_A * r.F_t2}, in.d_1, w * in.n_1);
-  r.wheel = shaft_load(K_A * r.T_2, {-K_A * r.F_r, -w * h * K_A * r.F_t2, w * K_A * r.F_t1}, r.d_2, -w * h * r.n_2);
+  r.worm = shaft_load(K_A * r.T_1, {-K_A * r.F_r, r.F_y1, r.F_z1}, in.d_1, w * in.n_1);
+  r.wheel = shaft_load(K_A * r.T_2, {-K_A * r.F_r, -r.F_z1, -r.F_y1}, r.d_2, -w * h * r.n_2);
   r.worm.d_f = r.d_f1, r.worm.h_t = (r.d_a1 - r.d_f1) / 2.0;
   r.wheel.d_f = r.d_f2, r.wheel.h_t = (r.d_a2 - r.d_f2) / 2.0;
   r.worm.kind = r.wheel.kind = Mounted::gear;
@@ -80,6 +83,8 @@ void load(const Input& in, Result& r, Tracer& trace) {
   }
   const double h = trace.value("h", in.hand == Hand::right ? 1.0 : -1.0, "1 for a right-hand worm");
   const double w = trace.value("w", in.turns == Turns::ccw ? 1.0 : -1.0, "1 where the worm turns counter-clockwise");
+  STEP_TO(r, F_y1, -w * in.K_A * F_t1, "against the rotation of the worm");
+  STEP_TO(r, F_z1, w * h * in.K_A * F_t2, "a right-hand screw that turns counter-clockwise is pushed towards +z");
   hand_over(in, h, w, r);
 }
 

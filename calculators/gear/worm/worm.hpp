@@ -174,6 +174,7 @@ dT_adm = "60 K"
       Mode<Input>{"heat", "thermal capacity", &heats}.judged_by("u_T").asking("give A_h with dT_adm, or P_cool"),
       Mode<Input>{"locking", "self-locking of the driven worm", &locks}.judged_by("x_L").special(),
       Mode<Input>{"undercut", "undercut of the wheel", &always<Input>}.judged_by("x_z").of_shape(),
+      Mode<Input>{"rim_2", "rim thickness of the wheel", &unseen<Input>}.judged_by("m_R2").wanting("bore_2").special(),
       Mode<Input>{"deflection", "deflection of the worm shaft", &unseen<Input>}.special().assessed_beside(
           "shaft.design"),
       Mode<Input>{"threads", "breakage of the worm threads", &unseen<Input>}.special(),

@@ -22,6 +22,8 @@ inline Usual usual_of(TrainTypes::StageKind kind) {
     case StageKind::gear:
     case StageKind::internal:
       return {0.94, 0.99};
+    case StageKind::bevel:
+      return {0.95, 0.98};
     case StageKind::belt:
       return {0.94, 0.985};
     case StageKind::chain:

@@ -1,11 +1,12 @@
-// A train of drives, one behind the other: gears, belts with slip, chains, worms, planetary sets.
+// A train of drives, one behind the other: gears, belts with slip, chains, bevel gears, worms, planetary sets.
 //
 // Decides the ratio, speed, torque and power of every shaft, the total efficiency, whether it reduces or multiplies,
 // and the loads of the wheels on each shaft: T_k = T_1 i eta over the stages before. Loads are nominal: the service
 // factor belongs to the part that is designed with them. An efficiency that is left out is 1, of a belt 1 - slip: the
 // slip lowers the speed, not the ratio of the torques. Given, it contains the slip. Signs: torque and speed of a
 // shaft are positive in the direction of the first one; a stage's ratio is negative where its second shaft rotates in
-// the opposite direction. Not covered: branches, power that circulates, losses of bearings.
+// the opposite direction; that of bevel gears is positive unless stated. Not covered: branches, power that circulates,
+// losses of bearings.
 #pragma once
 
 #include "calculators/drive/train_types.hpp"
@@ -27,7 +28,8 @@ struct Train : TrainTypes {
   static constexpr auto title = "Drive train";
   static constexpr auto scope =
       "Speed ratio, speeds, torques, powers and efficiency along a series of stages: gears, belts with slip, "
-      "chains, worm gears and planetary sets, with the torque of every shaft; branched trains are not covered.";
+      "chains, bevel and worm gears and planetary sets, with the torque of every shaft; branched trains are not "
+      "covered.";
   static constexpr auto source = "[B40]";
   static constexpr auto headline = "i = {i}";
   static constexpr auto synonyms =
@@ -99,8 +101,8 @@ stages = [
       Mode<Input>{"efficiency", "efficiency of the worm gear", &loads_a_worm}.judged_by("stages.x_eta"),
       Mode<Input>{"strength", "strength of the stages",
                   [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }}
-          .assessed_beside("gear.pair, gear.planetary, chain.roller, belt.v, belt.flat, belt.grooved, "
-                           "belt.synchronous, drive.friction_wheels")
+          .assessed_beside("gear.pair, gear.planetary, gear.bevel, gear.worm, chain.roller, chain.inverted_tooth, belt.v, "
+                           "belt.flat, belt.grooved, belt.synchronous, drive.friction_wheels")
           .for_each_of("stages", "shafts"),
       Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special()};
 

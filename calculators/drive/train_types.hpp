@@ -9,7 +9,7 @@
 namespace loadpath::drive {
 
 struct TrainTypes {
-  enum class StageKind { gear, internal, belt, chain, worm, planetary, other };
+  enum class StageKind { gear, internal, bevel, belt, chain, worm, planetary, other };
   enum class Member { sun, carrier, ring };
   enum class Sense { usual, same, opposite };
   enum class EtaRange { usual, below, above, none };
@@ -45,7 +45,9 @@ struct TrainTypes {
         Field{&Stage::d_1, "d_1", mm, "diameter on the first shaft"}.positive().may_be_missing(),
         Field{&Stage::d_2, "d_2", mm, "diameter on the second shaft"}.positive().may_be_missing(),
         Field{&Stage::slip, "slip", ratio, "slip of a belt; 0.01 to 0.02 is usual"}.within(0, 0.1).usually(0, 0.03),
-        Field{&Stage::m_n, "m_n", mm, "normal module of gears, for the tooth force"}.positive().may_be_missing(),
+        Field{&Stage::m_n, "m_n", mm, "normal module of gears (bevel gears: outer module), for the tooth force"}
+            .positive()
+            .may_be_missing(),
         Field{&Stage::p, "p", mm, "chain pitch, for the chain pull"}.positive().may_be_missing(),
         Field{&Stage::beta, "beta", deg, "helix angle of gears, for the tooth force"}.within(0, 45),
         Count{&Stage::z_s, "z_s", 0, 5000, "number of teeth of the sun"}.may_be_missing(),
@@ -111,6 +113,7 @@ struct TrainTypes {
 constexpr auto choices_of(TrainTypes::StageKind) {
   return std::array{ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::gear, "gear", "wheels with outer teeth"},
                     ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::internal, "internal", "a wheel in a ring"},
+                    ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::bevel, "bevel", "bevel gears"},
                     ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::belt, "belt", "belt"},
                     ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::chain, "chain", "chain"},
                     ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::worm, "worm", "worm and wheel"},

@@ -55,6 +55,32 @@ TEST_SUITE("found drive") {
     CHECK(last_by("P_loss*1 s") == "open");
   }
 
+  TEST_CASE("bevel and worm stages are checked by the steps of their gears") {
+    const std::string train =
+        "[train]\ncalculator = \"drive.train\"\nP = \"3 kW\"\nn_1 = \"1400 rpm\"\nstages = [{ name = \"bevel\", kind = "
+        "\"bevel\", z_1 = 20, z_2 = 40, m_n = \"4 mm\", eta = 0.96 }, { name = \"worm\", kind = \"worm\", z_1 = 2, z_2 "
+        "= "
+        "40, eta = 0.85 }]\n";
+    const std::string bevel =
+        "[bevel]\ncalculator = \"gear.bevel\"\nz_1 = \"=train.stages.bevel.z_1\"\nz_2 = \"=train.stages.bevel.z_2\"\n"
+        "m_et = \"=train.stages.bevel.m_n\"\nb = \"28 mm\"\nx_1 = 0.3\nh_fP = 1.188\nP = \"=train.shafts[1].P\"\nn_1 = "
+        "\"=train.shafts[1].n\"\nK_A = 1.25\nQ_v = 8\nI = 0.083\nJ_1 = 0.244\nJ_2 = 0.2\nH_B1 = 300\nH_B2 = 280\nL_h = "
+        "\"10000 h\"\nS_Hmin = 1.1\nS_Fmin = 1.5\n";
+    const auto worm = [](const char* sigma_adm) {
+      return "[worm]\ncalculator = \"gear.worm\"\nz_1 = \"=train.stages.worm.z_1\"\nz_2 = "
+             "\"=train.stages.worm.z_2\"\nm_x = \"6 mm\"\nd_1 = \"60 mm\"\nb_2 = \"40 mm\"\nP = "
+             "\"=train.shafts[2].P\"\nn_1 = \"=train.shafts[2].n\"\nK_A = 1.25\ncasting = \"centrifugal\"\nS_Wmin = "
+             "1\nA_h = \"0.6 m^2\"\ndT_adm = \"60 K\"\nsigma_adm = \"" +
+             std::string(sigma_adm) + " MPa\"\n";
+    };
+    const auto strength = [&](const std::string& gears) {
+      return mode_of(solved_as_found(train + gears), "train", "strength");
+    };
+    CHECK(strength(bevel) == "open");
+    CHECK(strength(bevel + worm("100")) == "pass");
+    CHECK(strength(bevel + worm("60")) == "fail");  // 81 MPa
+  }
+
   TEST_CASE("A13: a shaft that takes a chain's pull with K_A takes no torque without it") {
     const auto faults = [](const std::string& loads) {
       const std::string text = R"([chain]

@@ -82,6 +82,17 @@ TEST_SUITE("drive train") {
     CHECK(rel(in_si(r.shafts[1].F_in), in_si(r.shafts[0].F_out)) < 1e-12);
   }
 
+  TEST_CASE("bevel gears: the ratio is positive unless its sense is stated, the force is that of the outer diameter") {
+    drive::Train::Stage s;
+    s.kind = StageKind::bevel, s.z_1 = 20, s.z_2 = 40, s.m_n = 4.0 * mm, s.eta = 0.96;
+    auto r = solve(train({s}));
+    CHECK(rel(r.i, 2.0) < 1e-14);
+    CHECK(rel(in_si(r.shafts[0].F_out), 2 * 30.0 / 0.08) < 1e-14);
+    CHECK(r.stages[0].range == drive::Train::EtaRange::usual);
+    s.sense = drive::Train::Sense::opposite;
+    CHECK(rel(solve(train({s})).i, -2.0) < 1e-14);
+  }
+
   TEST_CASE("power is kept without losses, and the losses of the stages are those of the train") {
     const auto r = solve(
         train({stage(StageKind::gear, 3, 0.97), stage(StageKind::worm, 20, 0.7), stage(StageKind::chain, 0.5, 0.95)}));

@@ -33,14 +33,10 @@ constexpr std::array all{
                 "torsion spring, EN 13906, Feder, Druckfeder, Zugfeder, Tellerfeder, Blattfeder, Schraubenfeder, "
                 "пружина, рессора, тарельчатая пружина",
                 "mechanism.planar, dynamics.work, shaft.held"},
-    NotIncluded{"worm gears: geometry and rating",
-                "worm, worm gear, worm wheel, worm drive, Schnecke, Schneckengetriebe, Schneckenrad, червяк, "
-                "червячная передача, червячная, червячное колесо",
-                "drive.train"},
-    NotIncluded{"bevel and hypoid gears",
-                "bevel gear, hypoid gear, crown gear, spiral bevel, Kegelrad, Kegelradgetriebe, Hypoidrad, "
-                "коническая передача, коническое колесо",
-                "gear.pair, drive.train"},
+    NotIncluded{"spiral bevel, hypoid and crossed helical gears, globoid worms",
+                "hypoid gear, spiral bevel, Zerol, crossed helical gear, globoid worm, Hypoidrad, Spiralkegelrad, "
+                "Schraubradgetriebe, Globoidschnecke, гипоидная передача, глобоидная передача",
+                "gear.bevel, gear.worm"},
     NotIncluded{"scuffing, micropitting and the gear rating of AGMA 2001",
                 "scuffing, micropitting, AGMA, AGMA 2001, Fressen, Graufleckigkeit, заедание", "gear.rating"},
     NotIncluded{"clutches and couplings",

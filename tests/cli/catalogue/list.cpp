@@ -66,6 +66,8 @@ TEST_SUITE("cli list") {
                                                                  {"S-N", "fatigue.wohler"},
                                                                  {"keyway", "shaft.key"},
                                                                  {"Zahnrad", "gear.pair"},
+                                                                 {"bevel gear", "gear.bevel"},
+                                                                 {"Schnecke", "gear.worm"},
                                                                  {"подшипник", "bearing.rolling"},
                                                                  {"flywheel", "machine.flywheel"},
                                                                  {"critical speed", "shaft.design"},
@@ -89,7 +91,7 @@ TEST_SUITE("cli list") {
 
   TEST_CASE("what is not included is said, with the nearest calculators") {
     const Desk desk;
-    for (const std::string word : {"bolt", "Schraube", "worm", "spring", "пружина", "weld"}) {
+    for (const std::string word : {"bolt", "Schraube", "hypoid gear", "spring", "пружина", "weld"}) {
       CAPTURE(word);
       const Ran o = desk.run({"list", word});
       CHECK(o.code == 0);

@@ -187,6 +187,8 @@ S_Fmin = 1.5
                   "a power needs the speed n_1"},
       Rule<Input>{[](const Input& in) { return !rates(in) || (carries(in) && is_set(in.n_1)); },
                   "I, J_1, J_2, T_1, P, n_1", "the rating needs a load (T_1, or P) and the speed n_1"},
+      Rule<Input>{[](const Input& in) { return !rates(in) || !(abs(in.T_1) <= 0.0 * N_m); }, "T_1, I, J_1, J_2",
+                  "the rating needs a torque other than zero: omit I, J_1 and J_2 of unloaded gears"},
       Rule<Input>{[](const Input& in) { return !rates(in) || is_set(in.N) != is_set(in.L_h); }, "I, J_1, J_2, N, L_h",
                   "the rating needs the life: give either N or L_h"},
       Rule<Input>{[](const Input& in) {

@@ -181,6 +181,7 @@ TEST_SUITE("gear bevel") {
     says(teeth + "J_1 = 0.2\nH_B1 = 300\n", "the rating needs a load");
     says(teeth + "P = \"1 kW\"\nn_1 = \"900 rpm\"\nJ_1 = 0.2\nH_B1 = 300\n", "give either N or L_h");
     says(teeth + "P = \"1 kW\"\nn_1 = \"900 rpm\"\nI = 0.08\nH_B1 = 300\nN = 1e7\n", "H_B2 or s_ac2");
+    says(teeth + "T_1 = \"0 N*m\"\nn_1 = \"900 rpm\"\nJ_1 = 0.2\nH_B1 = 300\nN = 1e7\n", "a torque other than zero");
     says(teeth + "S_Fmin = 1.5\n", "needs a geometry factor J_1 or J_2");
   }
 }

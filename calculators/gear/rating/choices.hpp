@@ -26,7 +26,7 @@ enum class Crowning { none, crowned, end_relief };
 /// The place of the pinion on its shaft, [DIN3990-11].
 enum class Place { untold, middle, a, b, c, d, e };
 enum class Pattern { unfavourable, favourable };
-/// Whose factors of contact and root stress apply; the load factors are those of [DIN3990-11] in both.
+/// Whose factors of load, contact stress and root stress apply.
 enum class RatingStandard { din3990, iso6336 };
 /// Whether the pinion stiffens its shaft, [DIN3990-11] figure 3.2.
 enum class Stiffening { none, pinion };
@@ -80,9 +80,8 @@ constexpr auto choices_of(Pattern) {
 
 constexpr auto choices_of(RatingStandard) {
   using S = RatingStandard;
-  return std::array{
-      ChoiceName<S>{S::din3990, "din3990", "DIN 3990-11:1989, load at the tip and Y_eps"},
-      ChoiceName<S>{S::iso6336, "iso6336", "ISO 6336-2 and -3:2006, method B; load factors of DIN 3990-11"}};
+  return std::array{ChoiceName<S>{S::din3990, "din3990", "DIN 3990-11:1989, load at the tip and Y_eps"},
+                    ChoiceName<S>{S::iso6336, "iso6336", "ISO 6336-1, -2 and -3:2006, methods B and C"}};
 }
 constexpr auto choices_of(Stiffening) {
   using S = Stiffening;

@@ -1,7 +1,7 @@
 #include "calculators/gear/rating/rating.hpp"
 
 #include "calculators/gear/rating/contact.hpp"
-#include "calculators/gear/rating/load_factors.hpp"
+#include "calculators/gear/rating/iso_load.hpp"
 #include "calculators/gear/rating/root.hpp"
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
@@ -53,6 +53,32 @@ void nominal_contact(const RatingTypes::Input& in, const PairResult& g, RatingTy
   const Force F_t = r.F_t;
   STEP_TO(r, sigma_H0, Z_H * Z_E * Z_eps * Z_beta * sqrt(F_t / (d_1 * in.b) / MPa * (u + 1.0) / u) * MPa,
           is_iso(in) ? "at the pitch point, [ISO6336-2] 2006, 5.3" : "at the pitch point, [DIN3990-2]");
+}
+
+template <class Tracer>
+void load_over_width(const RatingTypes::Input& in, const PairResult& g, const Runners& runners, RatingTypes::Result& r,
+                     Tracer& trace) {
+  if (is_iso(in)) {
+    dynamic_factor_iso(in, g, runners, r, trace);
+    face_load_factor_iso(in, g, runners, r, trace);
+  } else {
+    dynamic_factor(in, g, r, trace);
+    face_load_factor(in, g, runners.one, runners.two, runners.lim_1, runners.lim_2, r, trace);
+  }
+}
+
+template <class Tracer>
+void load_among_teeth(const RatingTypes::Input& in, const PairResult& g, const Runners& runners, RatingTypes::Result& r,
+                      Tracer& trace) {
+  if (is_iso(in)) return transverse_factors_iso(in, g, r, trace);
+  transverse_factors(in, g, is_hardened(runners.one.material) && is_hardened(runners.two.material), r, trace);
+}
+
+template <class Tracer>
+void face_load_of_roots(const RatingTypes::Input& in, const Runners& runners, RatingTypes::Result& r, Tracer& trace) {
+  if (is_iso(in)) return face_load_of_roots_iso(in, runners.one, runners.two, r, trace);
+  r.K_Fbeta1 = face_load_of_root(in, runners.one, r, trace);
+  r.K_Fbeta2 = face_load_of_root(in, runners.two, r, trace);
 }
 
 void keep_forms(const RatingTypes::Input& in, const Form& one, const Form& two, RatingTypes::Result& r) {
@@ -121,7 +147,10 @@ bool Rating::has_rims(const Input& in) {
   return is_rim(in.s_R1, g.d_a1, g.d_f1) && is_rim(in.s_R2, g.d_a2, g.d_f2);
 }
 
-double Rating::least_deviation(const Input& in) { return in_si(helix_tolerance(in, geometry_of(in))); }
+double Rating::least_deviation(const Input& in) {
+  const PairResult g = geometry_of(in);
+  return is_iso(in) ? tolerances_of(in, g, in.grade).f_ma() * 1e-6 : in_si(helix_tolerance(in, g));
+}
 
 template <class Tracer>
 Rating::Result Rating::evaluate(const Input& in, Tracer& trace) {
@@ -129,12 +158,12 @@ Rating::Result Rating::evaluate(const Input& in, Tracer& trace) {
   const PairResult g = geometry_of(in);
   const Wheel one = first_of(in, g), two = second_of(in, g);
   nominal_load(in, g, r, trace);
-  dynamic_factor(in, g, r, trace);
   const Stress lim_1 = contact_number(one), lim_2 = contact_number(two);
-  face_load_factor(in, g, one, two, lim_1, lim_2, r, trace);
+  const Runners runners{one, two, lim_1, lim_2};
+  load_over_width(in, g, runners, r, trace);
   contact_factors(in, g, r, trace);
   root_factors(in, g, r, trace);
-  transverse_factors(in, g, is_hardened(one.material) && is_hardened(two.material), r, trace);
+  load_among_teeth(in, g, runners, r, trace);
   single_contact(in, g, r, trace);
   if (is_iso(in)) {
     lubricant_film(in, g, lim_1 < lim_2 ? lim_1 : lim_2, r, trace);
@@ -147,7 +176,7 @@ Rating::Result Rating::evaluate(const Input& in, Tracer& trace) {
   r.sigma_H1 = c_1.sigma, r.sigma_HG1 = c_1.limit, r.S_H1 = c_1.S, r.u_H1 = c_1.u;
   r.sigma_H2 = c_2.sigma, r.sigma_HG2 = c_2.limit, r.S_H2 = c_2.S, r.u_H2 = c_2.u;
   r.Z_NT1 = c_1.Z_NT, r.Z_NT2 = c_2.Z_NT;
-  r.K_Fbeta1 = face_load_of_root(in, one, r, trace), r.K_Fbeta2 = face_load_of_root(in, two, r, trace);
+  face_load_of_roots(in, runners, r, trace);
   const Form f_1 = form_of(in, g, one, trace), f_2 = form_of(in, g, two, trace);
   keep_forms(in, f_1, f_2, r);
   const Root t_1 = root_of(in, one, f_1, r.K_Fbeta1, bending_number(one), cycles_of(in, one), r, trace);

@@ -2,11 +2,11 @@
 //
 // Decides the dynamic factor, the load over the face width and among the teeth, the contact stress and the root stress
 // of both gears, their limits for endurance or at their cycles, and both safety factors. DIN 3990-11:1989, the form of
-// ISO 6336 for machinery, with the helix factor of DIN 3990-2; or the Z and Y factors of ISO 6336-2 and -3:2006, method
-// B, with the load factors of DIN 3990-11. Allowable stress numbers by ISO 6336-5 or as given. Loads nominal, with the
-// application factor K_A; T_1 is the torque of gear 1. Not covered: inner teeth, speeds beyond the dynamic constants,
-// load spectra, scuffing, micropitting, case crushing; of ISO 6336 part 1, edition 2019, protuberance, grinding
-// notches. From memory: moduli of irons, f_ma where it is not given, Y_A of idlers, numbers of some ISO clauses.
+// ISO 6336 for machinery, with the helix factor of DIN 3990-2; or ISO 6336-1, -2 and -3:2006, method B, the load over
+// the face width by method C. Allowable stress numbers by ISO 6336-5 or as given. Loads nominal, with the application
+// factor K_A; T_1 is the torque of gear 1. Not covered: inner teeth, DIN 3990 beyond its dynamic constants, webs, load
+// spectra, scuffing, micropitting, case crushing; of ISO 6336 edition 2019, protuberance, grinding notches. From
+// memory: moduli of irons, f_ma of DIN 3990 where it is not given, F_betaxmin, Y_A of idlers, numbers of ISO clauses.
 #pragma once
 
 #include "calculators/gear/rating/materials.hpp"
@@ -26,9 +26,9 @@ struct Rating : RatingTypes {
   static constexpr auto title = "Load capacity of cylindrical gears (DIN 3990-11, ISO 6336)";
   static constexpr auto scope =
       "Pitting and tooth breakage of external spur and helical gears by DIN 3990-11 (machinery), with the load "
-      "factors, endurance and finite life; materials by ISO 6336-5. With standard = \"iso6336\" the stresses and "
-      "limits are those of ISO 6336-2 and -3:2006.";
-  static constexpr auto source = "[DIN3990-11], [ISO6336-2], [ISO6336-3], [ISO6336-5]";
+      "factors, endurance and finite life; materials by ISO 6336-5. With standard = \"iso6336\" all factors are those "
+      "of ISO 6336-1, -2 and -3:2006.";
+  static constexpr auto source = "[DIN3990-11], [ISO6336-1], [ISO6336-2], [ISO6336-3], [ISO6336-5]";
   static constexpr auto headline = "S_H {S_H1}/{S_H2}";
   static constexpr auto synonyms =
       "gear rating, pitting, tooth breakage, load capacity, ISO 6336, DIN 3990, contact stress, "
@@ -78,7 +78,7 @@ S_Fmin = 1.4
 
   static constexpr Fields inputs{
       RecordField<Input>{"mesh", "gear pair: mesh = \"=stage.mesh\""},
-      Choice{&Input::standard, "standard", "standard of the Z and Y factors"}.may_be_missing(),
+      Choice{&Input::standard, "standard", "standard of the rating"}.may_be_missing(),
       Count{&Input::z_1, "z_1", 5, 2000, "number of teeth, gear 1"},
       Count{&Input::z_2, "z_2", 5, 2000, "number of teeth, gear 2"},
       Field{&Input::m_n, "m_n", mm, "normal module"}.positive().usually(0.5, 50),
@@ -102,7 +102,7 @@ S_Fmin = 1.4
           .usually(1, 2.5)
           .factor(),
       Choice{&Input::idler, "idler", "idler gear (reversed tooth bending)"}.may_be_missing(),
-      Count{&Input::grade, "grade", 5, 12, "accuracy grade of the teeth, DIN 3961"},
+      Count{&Input::grade, "grade", 5, 12, "accuracy grade of the teeth: DIN 3961, or ISO 1328-1:1995"},
       Choice{&Input::finish, "finish", "finish of the flanks"}.may_be_missing(),
       Field{&Input::R_z1, "R_z1", um, "flank roughness, gear 1"}.positive().usually(0.5, 40).may_be_missing(),
       Field{&Input::R_z2, "R_z2", um, "flank roughness, gear 2"}.positive().usually(0.5, 40).may_be_missing(),
@@ -150,6 +150,10 @@ S_Fmin = 1.4
           .usually(0, 100)
           .may_be_missing(),
       Choice{&Input::pattern, "pattern", "contact pattern under load"}.may_be_missing(),
+      Field{&Input::C_a, "C_a", um, "tip relief at grade 5 (ISO 6336-1); omitted: by running in"}
+          .at_least(0)
+          .usually(0, 150)
+          .may_be_missing(),
       Field{&Input::L_h, "L_h", hour, "required life; omitted: endurance"}
           .positive()
           .usually(100, 3e5)
@@ -173,13 +177,29 @@ S_Fmin = 1.4
   static constexpr Fields results{
       Field{&Result::F_t, "F_t", N, "nominal tangential force at the reference circle"},
       Field{&Result::v, "v", m_per_s, "velocity at the reference circle"},
+      Field{&Result::c_th, "c_th", ratio, "theoretical single stiffness of the teeth, N/(mm um)"},
+      Field{&Result::c_prime, "c_prime", ratio, "single stiffness of the teeth, N/(mm um)"},
+      Field{&Result::c_gamma_alpha, "c_gamma_alpha", ratio, "mesh stiffness, N/(mm um)"},
+      Field{&Result::c_gamma_beta, "c_gamma_beta", ratio, "mesh stiffness for the face load factor, N/(mm um)"},
+      Field{&Result::x_c, "x_c", ratio, "sum of the profile shifts: the series of the stiffness holds from -0.5 to 2"}
+          .limit(-0.5, 2)
+          .where_it_applies(),
+      Field{&Result::N_res, "N_res", ratio, "resonance ratio: speed / resonance speed"},
+      Field{&Result::f_pbeff, "f_pbeff", um, "base pitch deviation after running in"},
+      Field{&Result::y_alpha, "y_alpha", um, "running-in allowance of the pitch deviation"},
+      Field{&Result::B_p, "B_p", ratio, "effect of the pitch deviation on the dynamic load"},
+      Field{&Result::B_f, "B_f", ratio, "effect of the profile deviation on the dynamic load"},
+      Field{&Result::B_k, "B_k", ratio, "effect of the tip relief on the dynamic load"},
       Field{&Result::K_V, "K_V", ratio, "dynamic factor"},
-      Field{&Result::x_v, "x_v", ratio, "related pitch line velocity: the dynamic constants hold below 10"}.limit(0,
-                                                                                                                  10),
+      Field{&Result::x_v, "x_v", ratio, "related pitch line velocity: the dynamic constants hold below 10"}
+          .limit(0, 10)
+          .where_it_applies(),
       Field{&Result::f_sh, "f_sh", um, "equivalent misalignment due to pinion and shaft deformation"},
       Field{&Result::F_betax, "F_betax", um, "initial equivalent misalignment, before running in"},
       Field{&Result::y_beta, "y_beta", um, "running-in allowance"},
+      Field{&Result::F_betay, "F_betay", um, "equivalent misalignment after running in"},
       Field{&Result::K_Hbeta, "K_Hbeta", ratio, "face load factor, contact"},
+      Field{&Result::q_alpha, "q_alpha", ratio, "stiffness x pitch deviation / line load (ISO 6336-1)"},
       Field{&Result::K_Halpha, "K_Halpha", ratio, "transverse load factor, contact"},
       Field{&Result::K_Falpha, "K_Falpha", ratio, "transverse load factor, root"},
       Field{&Result::K_Fbeta1, "K_Fbeta1", ratio, "face load factor, root of gear 1"},
@@ -265,6 +285,8 @@ S_Fmin = 1.4
                     return in.standard == RatingStandard::iso6336 || (!is_set(in.s_R1) && !is_set(in.s_R2));
                   },
                   "standard, s_R1, s_R2", "a rim is rated by ISO 6336-3: standard = \"iso6336\""},
+      Rule<Input>{[](const Input& in) { return in.standard == RatingStandard::iso6336 || !is_set(in.C_a); },
+                  "standard, C_a", "tip relief is a quantity of ISO 6336-1: standard = \"iso6336\""},
       Rule<Input>{
           &has_rims, "s_R1, s_R2, m_n, z_1, z_2",
           "a rim is thicker than half the tooth depth, below which ISO 6336-3 does not rate it, and thinner than "
@@ -310,7 +332,7 @@ S_Fmin = 1.4
       Mode<Input>{"pitting_2", "pitting, gear 2", &always<Input>}.judged_by("u_H2, x_eps"),
       Mode<Input>{"root_1", "tooth breakage, gear 1", &always<Input>}.judged_by("u_F1, x_eps"),
       Mode<Input>{"root_2", "tooth breakage, gear 2", &always<Input>}.judged_by("u_F2, x_eps"),
-      Mode<Input>{"dynamic", "dynamic tooth load", &always<Input>}.judged_by("x_v"),
+      Mode<Input>{"dynamic", "dynamic tooth load", &always<Input>}.judged_by("x_v, x_c"),
       Mode<Input>{"undercut", "undercut", &always<Input>}.judged_by("x_free").of_shape(),
       Mode<Input>{"pointed", "tip thickness", &always<Input>}.judged_by("s_a").of_shape(),
       Mode<Input>{"interference", "tip and fillet interference", &always<Input>}.judged_by("f_int").of_shape(),

@@ -41,7 +41,7 @@ struct RatingTypes {
     Length l = unset<Length>, s = unset<Length>, d_sh = unset<Length>;
     Stiffening stiffening = Stiffening::none;
     Crowning crowning = Crowning::none;
-    Length f_ma = unset<Length>;
+    Length f_ma = unset<Length>, C_a = unset<Length>;
     Pattern pattern = Pattern::unfavourable;
     Time L_h = unset<Time>;
     double S_Hmin = unset<double>, S_Fmin = unset<double>;
@@ -51,9 +51,12 @@ struct RatingTypes {
   struct Result {
     Force F_t = unset<Force>;
     Speed v = unset<Speed>;
+    double c_th = unset<double>, c_prime = unset<double>, c_gamma_alpha = unset<double>, c_gamma_beta = unset<double>;
+    double x_c = unset<double>, N_res = unset<double>, B_p = unset<double>, B_f = unset<double>, B_k = unset<double>;
+    Length f_pbeff = unset<Length>, y_alpha = unset<Length>;
     double K_V = unset<double>, x_v = unset<double>;
-    Length f_sh = unset<Length>, F_betax = unset<Length>, y_beta = unset<Length>;
-    double K_Hbeta = unset<double>, K_Halpha = unset<double>, K_Falpha = unset<double>;
+    Length f_sh = unset<Length>, F_betax = unset<Length>, y_beta = unset<Length>, F_betay = unset<Length>;
+    double K_Hbeta = unset<double>, q_alpha = unset<double>, K_Halpha = unset<double>, K_Falpha = unset<double>;
     double K_Fbeta1 = unset<double>, K_Fbeta2 = unset<double>;
     double Z_H = unset<double>, Z_E = unset<double>, Z_eps = unset<double>, Z_beta = unset<double>;
     double Z_B = unset<double>, Z_D = unset<double>, Z_LVR = unset<double>;

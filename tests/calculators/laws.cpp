@@ -195,7 +195,11 @@ const Law drives[] = {
     {"gear.rating", "", "S_Fmin = 2.8", "u_F1", 2},
     {"gear.rating", "", "S_Fmin = 2.8", "u_F2", 2},
     {"gear.rating", "", OF_ISO, "sigma_H0", 1},  // spur gears
-    {"gear.rating", "", OF_ISO, "sigma_H1", 1},
+    {"gear.rating", OF_ISO, OF_ISO "T_1 = \"800 N*m\"", "c_prime", 1},
+    {"gear.rating", OF_ISO, OF_ISO "T_1 = \"800 N*m\"", "B_p", 0.5},
+    {"gear.rating", OF_ISO "T_1 = \"1 N*m\"", OF_ISO "T_1 = \"16 N*m\"", "c_prime", 2},  // the fourth root
+    {"gear.rating", OF_ISO "T_1 = \"1 N*m\"", OF_ISO "T_1 = \"16 N*m\"", "B_f", 0.125},
+    {"gear.rating", OF_ISO, OF_ISO "n_1 = \"1960 rpm\"", "N_res", 2},
     {"gear.rating", OF_ISO, OF_ISO "S_Fmin = 2.8", "u_F1", 2},
     {"gear.rating", OF_ISO, OF_ISO "R_z1 = \"10 um\"\nR_z2 = \"10 um\"", "Z_R", std::pow(0.5, 0.08)},
     {"gear.rating", OF_ISO "L_h = \"10000 h\"", OF_ISO "n_1 = \"490 rpm\"\nL_h = \"20000 h\"", "Z_NT2", 1},

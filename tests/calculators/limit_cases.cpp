@@ -452,6 +452,9 @@ const Case fatigue[] = {
     {"fatigue.wohler", "P_s = 0.5", "A_P", 29.9426882630},  // the mean line, by the normal equations
 };
 
+// gear.rating by ISO 6336, hardly turning: no dynamic load.
+#define ISO_AT_REST "standard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"\nn_1 = \"0.0001 rpm\"\n"
+
 const char* const rack = "mesh = \"rack\"\nz_2 = \nsigma_adm_2 = \nbeta = \"0 deg\"\na_w = ";
 
 // A wheel of 20 teeth of 2.5 mm, shifted by 0.3, on a rack.
@@ -478,6 +481,19 @@ const Case racks[] = {
      "place = \"a\"\nl = \"200 mm\"\ns = \"50 mm\"\nd_sh = \"60 mm\"\nstiffening = \"pinion\"\nT_1 = \"1.4592 "
      "N*m\"\nn_1 "
      "= \"0.001 rpm\"",
+     "f_sh", 1e-6 * 0.023 * 48 * 48 / (76 * 76) * (1 + 0.48 * 200 * 50 / (76 * 76) * std::pow(76.0 / 60, 4))},
+    {"gear.rating", ISO_AT_REST, "K_V", 1},
+    // Deviations of grade 6: 11 um of the pitch and of the helix of the wheel, 0.075 of the base pitch runs in.
+    {"gear.rating", ISO_AT_REST, "f_pbeff", 0.925 * 11e-6 * std::cos(pi / 9)},
+    {"gear.rating", ISO_AT_REST "grade = 5\nC_a = \"0 um\"", "B_k", 1},
+    {"gear.rating", ISO_AT_REST "f_ma = \"96 um\"\nT_1 = \"0.000001 N*m\"", "F_betax", 96e-6},
+    {"gear.rating", ISO_AT_REST "f_ma = \"96 um\"\nT_1 = \"0.000001 N*m\"\ncrowning = \"crowned\"", "F_betax", 48e-6},
+    {"gear.rating", ISO_AT_REST "f_ma = \"0 um\"\nT_1 = \"0.000001 N*m\"", "F_betax", 5.5e-6},
+    {"gear.rating", ISO_AT_REST "pattern = \"favourable\"\nT_1 = \"0.000001 N*m\"", "F_betax", 8e-6},
+    {"gear.rating", ISO_AT_REST "f_ma = \"0 um\"\nb = \"1 mm\"", "F_betax", 0.005e-6 * 2 * 400e3 * 1.25 / 76},
+    {"gear.rating",
+     ISO_AT_REST
+     "place = \"a\"\nl = \"200 mm\"\ns = \"50 mm\"\nd_sh = \"60 mm\"\nstiffening = \"pinion\"\nT_1 = \"1.4592 N*m\"",
      "f_sh", 1e-6 * 0.023 * 48 * 48 / (76 * 76) * (1 + 0.48 * 200 * 50 / (76 * 76) * std::pow(76.0 / 60, 4))},
     {"gear.rating", "f_ma = \"0 um\"\nb = \"1 um\"\nT_1 = \"1 N*m\"", "K_Hbeta", 1},
     // Far from the middle, and a torque that enters there, but no load: nothing bends.

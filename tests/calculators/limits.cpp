@@ -332,6 +332,8 @@ const Side gears[] = {
     {"gear.rating", "u_F1", over, "T_1", R"("902 N*m")", R"("903 N*m")"},
     {"gear.rating", "u_F2", over, "T_1", R"("893 N*m")", R"("894 N*m")"},
     {"gear.rating", "x_v", outside, "n_1", R"("13440 rpm")", R"("13450 rpm")"},
+    {"gear.rating", "x_c", outside, "x_1", "-0.24", "-0.26",
+     "standard = \"iso6336\"\nnu_40 = \"150 mm^2/s\"\nx_2 = -0.25"},
     {"gear.rating", "x_free", over, "x_1", "-0.045", "-0.046"},
     {"gear.rating", "s_a", over, "x_1", "1.08", "1.081"},
     {"gear.rating", "f_int", over, "h_aP", "1.167", "1.168"},

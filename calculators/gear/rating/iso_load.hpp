@@ -57,6 +57,7 @@ void excitation(const Input& in, const PairResult& g, const Runners& runners, do
 
 template <class Tracer>
 void dynamic_factor_iso(const Input& in, const PairResult& g, const Runners& runners, Result& r, Tracer& trace) {
+  trace.value("u", g.u, "gear ratio");
   STEP(w, r.F_t * in.K_A / in.b / N_per_mm, "line load, N/mm");
   mesh_stiffness(in, g, w, r, trace);
   resonance(in, g, runners.one, runners.two, r, trace);

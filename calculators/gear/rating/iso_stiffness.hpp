@@ -44,7 +44,7 @@ void mesh_stiffness(const Input& in, const PairResult& g, double w, Result& r, T
   const double eps_alpha = trace.value("eps_alpha", g.eps_alpha, "transverse contact ratio");
   STEP_TO(r, c_gamma_alpha, r.c_prime * (0.75 * eps_alpha + 0.25), "mesh stiffness, [ISO6336-1] 2006, clause 9");
   STEP_TO(r, c_gamma_beta, 0.85 * r.c_gamma_alpha, "mesh stiffness for the face load factor");
-  STEP_TO(r, x_c, in.x_1 + g.x_2, "range of the series");
+  r.x_c = trace.value("x_c", in.x_1 + g.x_2, "sum of the profile shifts: range of the series");
 }
 
 /// 1 - q^4 of a gear with a bore within its rim; 1 of a solid one.

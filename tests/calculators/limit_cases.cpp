@@ -483,6 +483,9 @@ const Case racks[] = {
      "= \"0.001 rpm\"",
      "f_sh", 1e-6 * 0.023 * 48 * 48 / (76 * 76) * (1 + 0.48 * 200 * 50 / (76 * 76) * std::pow(76.0 / 60, 4))},
     {"gear.rating", ISO_AT_REST, "K_V", 1},
+    {"gear.rating", ISO_AT_REST "root_edition = \"2019\"", "f_eps", 1},
+    {"gear.rating", ISO_AT_REST "root_edition = \"2019\"\nbeta = \"8 deg\"", "Y_beta",
+     (1 - 48 * std::sin(8 * pi / 180) / (4 * pi) * 8 / 120) / std::pow(std::cos(8 * pi / 180), 3)},
     // Deviations of grade 6: 11 um of the pitch and of the helix of the wheel, 0.075 of the base pitch runs in.
     {"gear.rating", ISO_AT_REST, "f_pbeff", 0.925 * 11e-6 * std::cos(pi / 9)},
     {"gear.rating", ISO_AT_REST "grade = 5\nC_a = \"0 um\"", "B_k", 1},

@@ -28,6 +28,8 @@ enum class Place { untold, middle, a, b, c, d, e };
 enum class Pattern { unfavourable, favourable };
 /// Whose factors of load, contact stress and root stress apply.
 enum class RatingStandard { din3990, iso6336 };
+/// Edition of ISO 6336-3 for form and helix factors of the root.
+enum class RootEdition { of_2006, of_2019 };
 /// Whether the pinion stiffens its shaft, [DIN3990-11] figure 3.2.
 enum class Stiffening { none, pinion };
 
@@ -82,6 +84,11 @@ constexpr auto choices_of(RatingStandard) {
   using S = RatingStandard;
   return std::array{ChoiceName<S>{S::din3990, "din3990", "DIN 3990-11:1989, load at the tip and Y_eps"},
                     ChoiceName<S>{S::iso6336, "iso6336", "ISO 6336-1, -2 and -3:2006, methods B and C"}};
+}
+constexpr auto choices_of(RootEdition) {
+  using E = RootEdition;
+  return std::array{ChoiceName<E>{E::of_2006, "2006", "ISO 6336-3:2006"},
+                    ChoiceName<E>{E::of_2019, "2019", "ISO 6336-3:2019: Y_F with f_eps, Y_beta over cos^3 beta"}};
 }
 constexpr auto choices_of(Stiffening) {
   using S = Stiffening;

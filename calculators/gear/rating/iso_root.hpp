@@ -6,6 +6,19 @@
 
 namespace loadpath::gear::rating {
 
+/// Share of the load at the outer point of single contact, [ISO6336-3-2019].
+template <class Tracer>
+double load_distribution(double eps_an, const PairResult& g, Tracer& trace) {
+  const double eps_beta = trace.value("eps_beta", g.eps_beta, "overlap ratio");
+  if (eps_beta <= 0.0) {
+    return trace.value("f_eps", eps_an < 2.0 ? 1.0 : 0.7, "spur gears: 0.7 from eps_an of 2 on, [ISO6336-3-2019]");
+  }
+  const double n_p = trace.value("n_p", eps_an < 2.0 ? 1.0 : 2.0, "pairs of spur teeth in contact at least");
+  STEP(s_beta, min(eps_beta, 1.0), "overlap ratio, 1 at most");
+  return NAMED_STEP("f_eps", sqrt((1.0 - s_beta) / n_p + s_beta / eps_an),
+                    "load distribution influence factor, [ISO6336-3-2019]");
+}
+
 /// The load at the outer point of single pair contact, which needs no Y_eps.
 template <class Tracer>
 Form form_of_iso(const Input& in, const PairResult& g, const Wheel& wheel, const RootFillet& fillet, Tracer& trace) {
@@ -20,7 +33,12 @@ Form form_of_iso(const Input& in, const PairResult& g, const Wheel& wheel, const
        "radius of the flank at the outer point of single pair contact, in modules");
   STEP(d_en, 2.0 * sqrt(pow<2>(t_en) + pow<2>(d_bn / 2.0)), "circle of that point, [ISO6336-3] 2006, 6.2");
   Form form = form_at(in, wheel, fillet, d_en, trace);
-  form.Y_F = trace.value(wheel.symbols.Y_F, form.Y_F, "of this gear, [ISO6336-3] 2006, clause 6");
+  if (in.root_edition == RootEdition::of_2019) {
+    const double Y_F = form.Y_F, f_eps = form.f_eps = load_distribution(eps_an, g, trace);
+    form.Y_F = NAMED_STEP(wheel.symbols.Y_F, Y_F * f_eps, "of this gear, [ISO6336-3-2019]");
+  } else {
+    form.Y_F = trace.value(wheel.symbols.Y_F, form.Y_F, "of this gear, [ISO6336-3] 2006, clause 6");
+  }
   form.Y_S = trace.value(wheel.symbols.Y_S, form.Y_S, "of this gear, [ISO6336-3] 2006, clause 7");
   return form;
 }

@@ -83,6 +83,7 @@ void face_load_of_roots(const RatingTypes::Input& in, const Runners& runners, Ra
 
 void keep_forms(const RatingTypes::Input& in, const Form& one, const Form& two, RatingTypes::Result& r) {
   (is_iso(in) ? r.Y_F1 : r.Y_Fa1) = one.Y_F, (is_iso(in) ? r.Y_S1 : r.Y_Sa1) = one.Y_S;
+  r.f_eps = one.f_eps;
   (is_iso(in) ? r.Y_F2 : r.Y_Fa2) = two.Y_F, (is_iso(in) ? r.Y_S2 : r.Y_Sa2) = two.Y_S;
 }
 

@@ -5,8 +5,9 @@
 // ISO 6336 for machinery, with the helix factor of DIN 3990-2; or ISO 6336-1, -2 and -3:2006, method B, the load over
 // the face width by method C. Allowable stress numbers by ISO 6336-5 or as given. Loads nominal, with the application
 // factor K_A; T_1 is the torque of gear 1. Not covered: inner teeth, DIN 3990 beyond its dynamic constants, webs, load
-// spectra, scuffing, micropitting, case crushing; of ISO 6336 edition 2019, protuberance, grinding notches. From
-// memory: moduli of irons, f_ma of DIN 3990 where it is not given, F_betaxmin, Y_A of idlers, numbers of ISO clauses.
+// spectra, scuffing, micropitting, case crushing; ISO 6336 of 2019 but Y_F and Y_beta, protuberance, grinding notches.
+// From memory: moduli of irons, f_ma of DIN 3990 where it is not given, F_betaxmin, Y_A of idlers, numbers of ISO
+// clauses.
 #pragma once
 
 #include "calculators/gear/rating/materials.hpp"
@@ -79,6 +80,7 @@ S_Fmin = 1.4
   static constexpr Fields inputs{
       RecordField<Input>{"mesh", "gear pair: mesh = \"=stage.mesh\""},
       Choice{&Input::standard, "standard", "standard of the rating"}.may_be_missing(),
+      Choice{&Input::root_edition, "root_edition", "edition of ISO 6336-3"}.may_be_missing(),
       Count{&Input::z_1, "z_1", 5, 2000, "number of teeth, gear 1"},
       Count{&Input::z_2, "z_2", 5, 2000, "number of teeth, gear 2"},
       Field{&Input::m_n, "m_n", mm, "normal module"}.positive().usually(0.5, 50),
@@ -236,6 +238,7 @@ S_Fmin = 1.4
       Field{&Result::Y_NT1, "Y_NT1", ratio, "life factor for bending, gear 1"},
       Field{&Result::Y_NT2, "Y_NT2", ratio, "life factor for bending, gear 2"},
       Field{&Result::Y_eps, "Y_eps", ratio, "contact ratio factor, root"},
+      Field{&Result::f_eps, "f_eps", ratio, "load distribution influence factor (ISO 6336-3:2019)"},
       Field{&Result::Y_beta, "Y_beta", ratio, "helix factor, root"},
       Field{&Result::sigma_F01, "sigma_F01", MPa, "nominal root stress, gear 1"},
       Field{&Result::sigma_F02, "sigma_F02", MPa, "nominal root stress, gear 2"},
@@ -285,6 +288,10 @@ S_Fmin = 1.4
                     return in.standard == RatingStandard::iso6336 || (!is_set(in.s_R1) && !is_set(in.s_R2));
                   },
                   "standard, s_R1, s_R2", "a rim is rated by ISO 6336-3: standard = \"iso6336\""},
+      Rule<Input>{[](const Input& in) {
+                    return in.standard == RatingStandard::iso6336 || in.root_edition == RootEdition::of_2006;
+                  },
+                  "standard, root_edition", "an edition of ISO 6336-3 needs standard = \"iso6336\""},
       Rule<Input>{[](const Input& in) { return in.standard == RatingStandard::iso6336 || !is_set(in.C_a); },
                   "standard, C_a", "tip relief is a quantity of ISO 6336-1: standard = \"iso6336\""},
       Rule<Input>{

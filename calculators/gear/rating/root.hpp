@@ -30,7 +30,12 @@ void root_factors(const Input& in, const PairResult& g, Result& r, Tracer& trace
   const double eps_beta = trace.value("eps_beta", g.eps_beta, "overlap ratio");
   const double beta_b = trace.angle("beta_b", std::acos(cos_of_base_helix(in, g)), "base helix angle");
   STEP_TO(r, Y_eps, 0.25 + 0.75 * pow<2>(cos(beta_b)) / eps_alpha, "contact ratio factor");
-  STEP_TO(r, Y_beta, 1.0 - min(eps_beta, 1.0) * min(in.beta, pi / 6.0) / (2.0 * pi / 3.0), "helix factor");
+  if (in.root_edition == RootEdition::of_2019) {
+    STEP_TO(r, Y_beta, (1.0 - min(eps_beta, 1.0) * min(in.beta, pi / 6.0) / (2.0 * pi / 3.0)) / pow<3>(cos(in.beta)),
+            "helix factor, [ISO6336-3-2019]");
+  } else {
+    STEP_TO(r, Y_beta, 1.0 - min(eps_beta, 1.0) * min(in.beta, pi / 6.0) / (2.0 * pi / 3.0), "helix factor");
+  }
 }
 
 /// Permissible root stress of one gear by [DIN3990-11].

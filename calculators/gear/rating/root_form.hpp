@@ -7,7 +7,7 @@
 namespace loadpath::gear::rating {
 
 struct Form {
-  double Y_F = unset<double>, Y_S = unset<double>, q_s = unset<double>;
+  double Y_F = unset<double>, Y_S = unset<double>, q_s = unset<double>, f_eps = unset<double>;
 };
 
 /// The fillet at the point whose tangent leans by 30 degrees, in modules.
@@ -62,7 +62,7 @@ Form form_at(const Input& in, const Wheel& wheel, const RootFillet& fillet, doub
   STEP(L_e, s_Fn / h_Fe, "chord over arm");
   STEP(q_s, s_Fn / (2.0 * rho_F), "notch parameter");
   STEP(Y_S, (1.2 + 0.13 * L_e) * pow(q_s, 1.0 / (1.21 + 2.3 / L_e)), "stress correction factor");
-  return {Y_F, Y_S, q_s};
+  return {Y_F, Y_S, q_s, unset<double>};
 }
 
 }  // namespace loadpath::gear::rating

@@ -16,6 +16,7 @@ inline constexpr Unit<Viscosity> mm2_per_s{"mm^2/s", from_si<Viscosity>(1e-6)};
 struct RatingTypes {
   struct Input {
     RatingStandard standard = RatingStandard::din3990;
+    RootEdition root_edition = RootEdition::of_2006;
     Whole z_1 = 0, z_2 = 0;
     Length m_n = unset<Length>;
     double alpha_n = 20.0 * deg.one, beta = 0.0, x_1 = 0.0, x_2 = unset<double>;
@@ -68,7 +69,7 @@ struct RatingTypes {
     double Y_Fa1 = unset<double>, Y_Fa2 = unset<double>, Y_Sa1 = unset<double>, Y_Sa2 = unset<double>;
     double Y_F1 = unset<double>, Y_F2 = unset<double>, Y_S1 = unset<double>, Y_S2 = unset<double>;
     double Y_B1 = unset<double>, Y_B2 = unset<double>, Y_NT1 = unset<double>, Y_NT2 = unset<double>;
-    double Y_eps = unset<double>, Y_beta = unset<double>;
+    double Y_eps = unset<double>, f_eps = unset<double>, Y_beta = unset<double>;
     Stress sigma_F01 = unset<Stress>, sigma_F02 = unset<Stress>, sigma_F1 = unset<Stress>, sigma_F2 = unset<Stress>;
     Stress sigma_FG1 = unset<Stress>, sigma_FG2 = unset<Stress>;
     double S_F1 = unset<double>, S_F2 = unset<double>;

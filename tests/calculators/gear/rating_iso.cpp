@@ -113,6 +113,48 @@ TEST_SUITE("gear rating by ISO 6336") {
     CHECK(rel(spur.sigma_F01 / MPa, spur.F_t / N / (48.64 * 4.0) * 1.22275448 * 2.51792967) < 1e-6);
   }
 
+  TEST_CASE("edition 2019 of the root: f_eps as printed of two planetary gears, and what it changes") {
+    struct Row {
+      int z_1, z_2;
+      double x_1, x_2, b, f_eps;
+    };
+    for (const Row& row : {Row{41, 34, 0.3698, 0.9220, 750, 0.840}, Row{33, 27, 0.2004, 0.2624, 800, 0.801}}) {
+      In in = of_iso(40, row.z_1, row.z_2, 15, row.b, 5, 320);
+      in.x_1 = row.x_1, in.x_2 = row.x_2, in.shortening = Shortening::clearance;
+      in.T_1 = 1e5 * N_m, in.n_1 = 10.0 * rpm;
+      const auto before = rated_well(in);
+      in.root_edition = RootEdition::of_2019;
+      const auto r = rated_well(in);
+      CHECK(std::abs(r.f_eps - row.f_eps) < 5e-4);
+      CHECK(rel(r.Y_F1, r.f_eps * before.Y_F1) < 1e-12);
+      CHECK(rel(r.Y_F2, r.f_eps * before.Y_F2) < 1e-12);
+      CHECK(rel(r.Y_beta, before.Y_beta / std::pow(std::cos(15 * deg.one), 3)) < 1e-12);
+      CHECK(r.Y_S1 == before.Y_S1);
+      CHECK(r.sigma_H1 == before.sigma_H1);
+      CHECK(!is_set(before.f_eps));
+    }
+    In spur = shifted();
+    const auto before = rated_well(spur);
+    spur.root_edition = RootEdition::of_2019;
+    CHECK(rated_well(spur).f_eps == 1.0);
+    CHECK(rel(rated_well(spur).sigma_F1, before.sigma_F1) < 1e-12);
+    spur.standard = RatingStandard::din3990, spur.s_R1 = unset<Length>;
+    CHECK(is_refused(spur, "standard, root_edition"));
+  }
+
+  TEST_CASE("f_eps is continuous in the overlap ratio, and never above 1") {
+    double f = 1.0;
+    for (double b = 10; b < 120; b += 0.5) {
+      In in = of_iso(4, 23, 61, 12, b, 5, 150);
+      in.T_1 = 100.0 * N_m, in.n_1 = 500.0 * rpm, in.root_edition = RootEdition::of_2019;
+      const double now = rated_well(in).f_eps;
+      CHECK(now <= f + 1e-12);
+      CHECK(f - now < 0.1);
+      f = now;
+    }
+    CHECK(f < 0.85);
+  }
+
   TEST_CASE("limits of the root: notch by a slip layer of 0.003 mm, life at 1e10 cycles, no bonus of smooth flanks") {
     const double q_s = 3.32380358;  // of the pinion, from the same construction
     const double Y_delta = (1 + std::sqrt(0.2 * 0.003 * (1 + 2 * q_s))) / (1 + std::sqrt(1.2 * 0.003));

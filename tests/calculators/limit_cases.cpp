@@ -482,6 +482,8 @@ const Case racks[] = {
      "N*m\"\nn_1 "
      "= \"0.001 rpm\"",
      "f_sh", 1e-6 * 0.023 * 48 * 48 / (76 * 76) * (1 + 0.48 * 200 * 50 / (76 * 76) * std::pow(76.0 / 60, 4))},
+    {"gear.rating", "z_2 = 104\nx_1 = 0.5\nrho_fP = 0.39\nh_fP = 1.4\nshortening = \"none\"\ns_pr = 0.02", "Y_Fa1",
+     2.355210454},  // the fillet drawn as the envelope of the tool
     {"gear.rating", ISO_AT_REST, "K_V", 1},
     {"gear.rating", ISO_AT_REST "root_edition = \"2019\"", "f_eps", 1},
     {"gear.rating", ISO_AT_REST "root_edition = \"2019\"\nbeta = \"8 deg\"", "Y_beta",

@@ -186,7 +186,8 @@ Rating::Result Rating::evaluate(const Input& in, Tracer& trace) {
   r.sigma_F02 = t_2.sigma_0, r.sigma_F2 = t_2.sigma, r.sigma_FG2 = t_2.limit, r.S_F2 = t_2.S, r.u_F2 = t_2.u;
   r.Y_B1 = t_1.Y_B, r.Y_B2 = t_2.Y_B, r.Y_NT1 = t_1.Y_NT, r.Y_NT2 = t_2.Y_NT;
   r.x_eps = g.eps_alpha;
-  r.x_free = g.x_free, r.s_a = g.s_a, r.f_int = g.f_int;
+  r.x_free = g.x_free, r.s_a = g.s_a;
+  if (!is_set(in.s_pr)) r.f_int = g.f_int;  // the fillet of a protuberance tool begins higher
   r.c_n = std::min(g.c_1, g.c_2), r.j_bn = g.j_bn;
   return r;
 }

@@ -5,9 +5,9 @@
 // ISO 6336 for machinery, with the helix factor of DIN 3990-2; or ISO 6336-1, -2 and -3:2006, method B, the load over
 // the face width by method C. Allowable stress numbers by ISO 6336-5 or as given. Loads nominal, with the application
 // factor K_A; T_1 is the torque of gear 1. Not covered: inner teeth, DIN 3990 beyond its dynamic constants, webs, load
-// spectra, scuffing, micropitting, case crushing; ISO 6336 of 2019 but Y_F and Y_beta, protuberance, grinding notches.
-// From memory: moduli of irons, f_ma of DIN 3990 where it is not given, F_betaxmin, Y_A of idlers, numbers of ISO
-// clauses.
+// spectra, scuffing, micropitting, case crushing; ISO 6336 of 2019 but Y_F and Y_beta, form circles of protuberance
+// tools, grinding notches. From memory: moduli of irons, f_ma of DIN 3990 where it is not given, F_betaxmin, Y_A of
+// idlers, numbers of ISO clauses.
 #pragma once
 
 #include "calculators/gear/rating/materials.hpp"
@@ -95,6 +95,11 @@ S_Fmin = 1.4
       Field{&Input::h_aP, "h_aP", ratio, "addendum of the basic rack, in modules"}.within(0.3, 2).usually(0.8, 1.2),
       Field{&Input::h_fP, "h_fP", ratio, "dedendum of the basic rack, in modules"}.within(0.4, 2.5).usually(1, 1.4),
       Field{&Input::rho_fP, "rho_fP", ratio, "root fillet radius of the basic rack, in modules"}.within(0, 0.6),
+      Field{&Input::s_pr, "s_pr", ratio,
+            "residual undercut by a protuberance tool after finishing, in modules (interference not assessed)"}
+          .within(0, 0.2)
+          .usually(0, 0.08)
+          .may_be_missing(),
       Choice{&Input::shortening, "shortening", "tip shortening of a pair with profile shift"}.may_be_missing(),
       Field{&Input::b, "b", mm, "common face width"}.positive(),
       Field{&Input::T_1, "T_1", N_m, "torque of gear 1, nominal"}.load().at_least_that_of_source("T_1"),
@@ -276,6 +281,13 @@ S_Fmin = 1.4
                   "the working pressure angle from a_w, or from x_1 and x_2, must exceed zero"},
       Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",
                   "the root radius must fit into the dedendum"},
+      Rule<Input>{[](const Input& in) {
+                    const double E = pi / 4.0 - in.h_fP * std::tan(in.alpha_n) +
+                                     (is_set(in.s_pr) ? in.s_pr : 0.0) / std::cos(in.alpha_n) -
+                                     (1.0 - std::sin(in.alpha_n)) * in.rho_fP / std::cos(in.alpha_n);
+                    return !is_set(in.s_pr) || E >= 0.0;
+                  },
+                  "s_pr, h_fP, rho_fP", "the tip of the tool must be wide enough for its roundings"},
       Rule<Input>{[](const Input& in) { return in.finish == Finish::hobbed || (is_set(in.R_z1) && is_set(in.R_z2)); },
                   "finish, R_z1, R_z2", "ground or shaved flanks need the roughness of both gears"},
       Rule<Input>{[](const Input& in) {

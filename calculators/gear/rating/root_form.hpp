@@ -26,14 +26,26 @@ inline double fillet_angle(double G, double H, double z_n) {
   return theta;
 }
 
+/// Half of the tool tooth between the centres of its tip roundings; a protuberance moves them apart.
+template <class Tracer>
+double rounding_centre(const Input& in, Tracer& trace) {
+  if (is_set(in.s_pr)) {
+    return NAMED_STEP("E",
+                      pi / 4.0 - in.h_fP * tan(in.alpha_n) + in.s_pr / cos(in.alpha_n) -
+                          (1.0 - sin(in.alpha_n)) * in.rho_fP / cos(in.alpha_n),
+                      "auxiliary value, in modules, with the residual undercut s_pr");
+  }
+  return NAMED_STEP("E", pi / 4.0 - in.h_fP * tan(in.alpha_n) - (1.0 - sin(in.alpha_n)) * in.rho_fP / cos(in.alpha_n),
+                    "auxiliary value, in modules");
+}
+
 template <class Tracer>
 RootFillet fillet_of(const Input& in, const PairResult& g, const Wheel& wheel, Tracer& trace) {
   const double z = trace.value("z", wheel.z, "teeth of this gear"), x = trace.value("x", wheel.x, "its profile shift");
   trace.value("d", wheel.d, "reference circle"), trace.value("d_a", wheel.d_a, "tip circle");
   const double beta_b = trace.angle("beta_b", std::acos(cos_of_base_helix(in, g)), "base helix angle");
   STEP(z_n, z / (pow<2>(cos(beta_b)) * cos(in.beta)), "teeth of the virtual spur gear");
-  STEP(E, pi / 4.0 - in.h_fP * tan(in.alpha_n) - (1.0 - sin(in.alpha_n)) * in.rho_fP / cos(in.alpha_n),
-       "auxiliary value, in modules");
+  const double E = rounding_centre(in, trace);
   STEP(G, in.rho_fP - in.h_fP + x, "auxiliary value");
   STEP(H, 2.0 / z_n * (pi / 2.0 - E) - pi / 3.0, "auxiliary value");
   const double theta = trace.angle("theta", fillet_angle(G, H, z_n), "root of theta = 2 G/z_n tan(theta) - H");

@@ -21,7 +21,7 @@ struct RatingTypes {
     Length m_n = unset<Length>;
     double alpha_n = 20.0 * deg.one, beta = 0.0, x_1 = 0.0, x_2 = unset<double>;
     Length a_w = unset<Length>;
-    double h_aP = 1.0, h_fP = 1.25, rho_fP = 0.38;
+    double h_aP = 1.0, h_fP = 1.25, rho_fP = 0.38, s_pr = unset<double>;
     Shortening shortening = Shortening::clearance;
     Length b = unset<Length>;
     Moment T_1 = unset<Moment>;

@@ -102,6 +102,29 @@ TEST_SUITE("gear.rating") {
     CHECK(rel(r.S_F2, 1.894) < 1e-3);
   }
 
+  TEST_CASE("residual undercut by a protuberance tool: the fillet drawn as the envelope of the tool") {
+    struct Row {
+      double s_pr, Y_Fa1, Y_Sa1, Y_Fa2, Y_Sa2;
+    };
+    for (const Row& row : {Row{0.02, 2.355210454, 1.7020250, 2.225553577, 1.7812150},
+                           Row{0.06, 2.529768329, 1.6685225, 2.393620216, 1.7434130}}) {
+      In in = case_A();
+      in.h_fP = 1.4, in.rho_fP = 0.39;
+      const auto plain = rated(in);
+      in.s_pr = row.s_pr;
+      const auto r = rated(in);
+      CHECK(rel(r.Y_Fa1, row.Y_Fa1) < 1e-8);
+      CHECK(rel(r.Y_Sa1, row.Y_Sa1) < 1e-6);
+      CHECK(rel(r.Y_Fa2, row.Y_Fa2) < 1e-8);
+      CHECK(rel(r.Y_Sa2, row.Y_Sa2) < 1e-6);
+      CHECK(r.Y_Fa1 > plain.Y_Fa1);
+      CHECK(r.sigma_H1 == plain.sigma_H1);
+      CHECK(!is_set(r.f_int));
+      in.s_pr = 0.0;
+      CHECK(rel(rated(in).Y_Fa1, plain.Y_Fa1) < 1e-12);
+    }
+  }
+
   TEST_CASE("quenched and tempered helical gears, hobbed") {
     In in = teeth(5, 21, 79, 0.25, 0, 12, 80);
     in.rho_fP = 0.375;

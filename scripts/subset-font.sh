@@ -27,6 +27,10 @@ constants = font["MATH"].table.MathConstants
 constants.RadicalKernBeforeDegree.Value = 60
 constants.RadicalKernAfterDegree.Value = -360
 constants.RadicalDegreeBottomRaisePercent = 62
+# The font's own ascent is that of its largest integral; a line of text with a symbol would be three lines high.
+metrics = font["OS/2"]
+font["hhea"].ascent, font["hhea"].descent = 900, -250
+metrics.usWinAscent, metrics.usWinDescent = 900, 250
 font.save(sys.argv[2])
 PYTHON
 

@@ -139,7 +139,7 @@ class MathML : public Notation {
   std::string call(std::string_view function, const std::vector<std::string>& arguments) const override {
     std::string list;
     for (const std::string& a : arguments) list += (list.empty() ? "" : "<mo>,</mo>") + a;
-    return element("mi", function_name(function)) + "<mo>&#x2061;</mo>" + fenced(list);
+    return element("mi", function_name(function)) + "<mo>\u2061</mo>" + fenced(list);
   }
   std::string either(std::string_view condition, std::string_view yes, std::string_view no) const override {
     const auto row = [](std::string_view value, std::string_view when) {

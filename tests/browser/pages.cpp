@@ -82,7 +82,7 @@ const std::string small_text = R"((() => {
     const size = parseFloat(getComputedStyle(e).fontSize) * 0.75;
     if (size < least && e.getBoundingClientRect().width > 0) said.push(`${size.toFixed(1)} pt: ${e.textContent.slice(0, 30)}`);
   };
-  for (const m of document.querySelectorAll("math")) tell(m, 7.9);
+  for (const m of document.querySelectorAll("math, .step > * > i")) tell(m, 7.9);
   for (const e of document.querySelectorAll("main p, main td, main th, main dd, main dt, main h2, main h3, figcaption")) tell(e, 6.4);
   return said.slice(0, 3).join("\n");
 })())";

@@ -8,10 +8,15 @@
 namespace loadpath::report::page {
 namespace {
 
-/// A number and its unit are not broken between lines.
+/// A number and its unit are not broken between lines; a browser may break behind a solidus.
 std::string kept(const std::string& quantity) {
-  const std::string text = escaped(quantity);
-  return text.find(' ') == std::string::npos ? text : "<span class=\"quantity\">" + text + "</span>";
+  constexpr std::string_view kept_blank = "\u00A0";
+  std::string text = escaped(quantity);
+  const std::size_t blank = text.find(' ');
+  if (blank == std::string::npos) return text;
+  if (text.find('/') != std::string::npos) return "<span class=\"quantity\">" + text + "</span>";
+  for (std::size_t at = blank; at != std::string::npos; at = text.find(' ', at)) text.replace(at, 1, kept_blank);
+  return text;
 }
 
 /// An expression may break behind the dots of its paths: "= intermediate.bearings.left.F_r" in a narrow column.
@@ -43,8 +48,6 @@ struct CellText {
 };
 
 }  // namespace
-
-std::string math(std::string_view fragment) { return "<math>" + std::string(fragment) + "</math>"; }
 
 std::string symbol(std::string_view path) {
   const NamedSymbol named = named_symbol(path);

@@ -17,7 +17,7 @@ std::string side(std::vector<std::string> terms) {
 }
 
 std::string cell_of(const char* name, const std::string& content) {
-  return content.empty() ? "" : "<div class=\"" + std::string(name) + "\">" + content + "</div>";
+  return content.empty() ? "" : "<p class=\"" + std::string(name) + "\">" + content + "</p>";
 }
 
 /// The two sides of an equation, each empty if it says nothing more than its result.
@@ -57,8 +57,8 @@ std::string derivation(const Derivation& derivation) {
   for (const Step& step : derivation.steps) {
     const std::string result = side({formula::quantity_mathml(written(step.value))});
     const Sides sides = sides_of(step, result);
-    out += "<div class=\"" + std::string(class_of(step)) + "\">" + cell_of("left", symbol(step.symbol)) +
-           cell_of("formula", sides.formula) + cell_of("numbers", sides.numbers) + cell_of("result", result);
+    out += "<div class=\"" + std::string(class_of(step)) + "\">" + "<div class=\"left\">" + symbol(step.symbol) +
+           "</div>" + cell_of("formula", sides.formula) + cell_of("numbers", sides.numbers) + cell_of("result", result);
     if (!step.why.empty()) out += "<p class=\"why\">" + prose(step.why.text()) + "</p>";
     out += "</div>\n";
   }

@@ -22,7 +22,7 @@ std::string table_of(const Modes& rows, const std::set<std::string>& anchors) {
   if (rows.empty()) return {};
   std::string out = "<div class=\"scroll\"><table class=\"verdicts\">\n<thead><tr>";
   for (const Message& head : {say("failure mode"), say("utilisation"), say("verdict")}) {
-    out += "<th scope=\"col\">" + escaped(head.text()) + "</th>";
+    out += "<th>" + escaped(head.text()) + "</th>";
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const Mode& mode : rows) {

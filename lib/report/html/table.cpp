@@ -34,7 +34,7 @@ std::string classes(std::initializer_list<std::string_view> names) {
 }
 
 std::string head_cell(const Message& head, bool marked, const std::string& unit) {
-  std::string out = std::string("<th scope=\"col\"") + (marked ? " class=\"number\">" : ">");
+  std::string out = std::string("<th") + (marked ? " class=\"number\">" : ">");
   out += is_symbol(head) ? symbol(head.args[0].text()) : escaped(head.text());
   if (!unit.empty()) out += "<br><span class=\"unit\">" + escaped(unit) + "</span>";
   return out + "</th>";

@@ -38,7 +38,7 @@ std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anch
   if (verdicts.rows.empty()) return {};
   std::string out = "<div class=\"scroll\"><table class=\"verdicts\">\n<thead><tr>";
   for (const Message& head : {say("check"), say("value"), say("condition"), say("verdict")}) {
-    out += "<th scope=\"col\">" + escaped(head.text()) + "</th>";
+    out += "<th>" + escaped(head.text()) + "</th>";
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const Verdict& row : verdicts.rows) {

@@ -8,6 +8,7 @@
 #include "lib/export/csv.hpp"
 #include "lib/export/json.hpp"
 #include "lib/report/build/build.hpp"
+#include "lib/report/html/compact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,7 +68,7 @@ bool can_stream(const OutputOptions& options) {
 }
 
 std::vector<File> report_files(const report::Document& document, const std::string& path) {
-  if (ending(path) == ".html") return {{path, report::html(document)}};
+  if (ending(path) == ".html") return {{path, report::compact(report::html(document))}};
   if (ending(path) == ".tex") return {{path, report::latex(document)}};
   const fs::path base(path);
   const report::Markdown markdown = report::markdown(document, base.stem().string());

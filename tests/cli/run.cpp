@@ -170,7 +170,7 @@ TEST_SUITE("cli run") {
     const std::string page = desk.get("a.md");
     CHECK(page.find("**Table 1.** Sized and selected values") < page.find("failure mode "));
     CHECK(contains(page, "smallest of R40 with which no assessed mode fails; 75 mm fails"));
-    CHECK(contains(desk.get("a.html"), "</b> Sized and selected values</p>"));
+    CHECK(contains(desk.get("a.html"), "</b> Sized and selected values"));
     CHECK_FALSE(contains(run(failing).out, "found"));
   }
 
@@ -239,11 +239,11 @@ TEST_SUITE("cli run") {
   TEST_CASE("the user's words are escaped in reports") {
     const Desk desk;
     const std::string script = "<script>alert('x')</script>";
-    desk.put("a.toml", "[project]\ntitle = \"" + script + "\"\nauthor = \"a & b <i>\"\n" + passing + "title = \"" +
+    desk.put("a.toml", "[project]\ntitle = \"" + script + "\"\nauthor = \"a & b <em>\"\n" + passing + "title = \"" +
                            script + "\"\nnote = \"" + script + "\"\n");
     REQUIRE(desk.run({"run", "a.toml", "--report", "a.html", "--report", "a.md"}).code == 0);
     CHECK_FALSE(contains(desk.get("a.html"), "<script>alert"));
-    CHECK_FALSE(contains(desk.get("a.html"), "<i>"));
+    CHECK_FALSE(contains(desk.get("a.html"), "<em>"));
     CHECK(contains(desk.get("a.html"), "&lt;script&gt;"));
     CHECK_FALSE(contains(desk.get("a.md"), "<script"));
   }
@@ -378,8 +378,8 @@ TEST_SUITE("cli run") {
     const Ran brief = desk.run({"run", "a.toml", "--brief", "--report", "b.html", "--report", "b.md"});
     CHECK(brief.code == 0);
     CHECK(brief.out == desk.run({"run", "a.toml", "--report", "n.html"}).out);
-    CHECK(!contains(desk.get("b.html"), "id=\"appendix\""));
-    CHECK(contains(desk.get("n.html"), "id=\"appendix\""));
+    CHECK(!contains(desk.get("b.html"), "id=appendix"));
+    CHECK(contains(desk.get("n.html"), "id=appendix"));
     CHECK(contains(desk.get("b.md"), "## Assumptions"));
     CHECK(!contains(desk.get("b.md"), "# Appendix"));
     const Ran alone = desk.run({"run", "a.toml", "--brief"});
@@ -392,7 +392,7 @@ TEST_SUITE("cli run") {
     const Desk desk;
     desk.put("a.toml", passing);
     CHECK(desk.run({"run", "a.toml", "--report", "a.html", "--report", "a.md"}).code == 0);
-    CHECK(contains(desk.get("a.html"), "<dt>Date</dt><dd>20"));
+    CHECK(contains(desk.get("a.html"), "<dt>Date<dd>20"));
     CHECK(contains(desk.get("a.md"), "- Date: not given"));
   }
 }

@@ -1,0 +1,94 @@
+#include "lib/report/html/compact.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace loadpath::report {
+namespace {
+
+using View = std::string_view;
+
+constexpr View blanks = " \t\n\r\f";
+
+template <std::size_t n>
+bool is_one_of(View word, const std::array<View, n>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// "td" of "<td class=...", "/td" of "</td>"; empty if the text does not begin with a tag.
+View name_of_tag(View text) {
+  if (!text.starts_with('<')) return {};
+  text.remove_prefix(1);
+  return text.substr(0, text.find_first_of("> \n"));
+}
+
+/// Whether the parser ends the element without this tag, since what follows cannot be in it. Cells, rows and items are
+/// followed only by their like or the end of their parent.
+bool is_implied(View tag, View following) {
+  constexpr std::array<View, 8> always{"/td", "/th", "/tr", "/thead", "/tbody", "/li", "/dt", "/dd"};
+  constexpr std::array<View, 11> end_a_paragraph{"p",  "div", "/div",     "section", "/section", "figure",
+                                                 "h2", "pre", "/details", "details", "h3"};
+  const View next = name_of_tag(following);
+  if (next.empty()) return false;
+  return is_one_of(tag, always) || (tag == "/p" && is_one_of(next, end_a_paragraph));
+}
+
+/// A value that needs no quotation marks before `next`: a solidus would become a part of it.
+bool stands_bare(View value, View next) {
+  return !value.empty() && value.find_first_of(" \t\n\r\f\"'`=<>") == View::npos && !next.starts_with('/');
+}
+
+/// A start tag; classes without a name and the name space of SVG, which a page has anyway, are left out.
+void append_start(std::string& out, View tag) {
+  while (!tag.empty()) {
+    const std::size_t equal = tag.find("=\"");
+    const std::size_t end = equal == View::npos ? View::npos : tag.find('"', equal + 2);
+    if (end == View::npos) break;
+    const View before = tag.substr(0, equal), value = tag.substr(equal + 2, end - equal - 2);
+    const View name = before.substr(before.rfind(' ') + 1);
+    tag.remove_prefix(end + 1);
+    if ((name == "class" && value.empty()) || name == "xmlns") {
+      out += before.substr(0, before.size() - name.size() - 1);
+    } else {
+      const View mark = stands_bare(value, tag) ? "" : "\"";
+      out.append(before).append("=").append(mark).append(value).append(mark);
+    }
+  }
+  out += tag;
+}
+
+/// The end of an element whose content is no markup; 0 for other elements.
+std::size_t end_of_verbatim(View page, View name) {
+  constexpr std::array<View, 3> verbatim{"script", "style", "pre"};
+  if (!is_one_of(name, verbatim)) return 0;
+  const std::size_t end = page.find("</" + std::string(name) + ">");
+  return end == View::npos ? page.size() : end;
+}
+
+}  // namespace
+
+std::string compact(std::string_view page) {
+  std::string out;
+  out.reserve(page.size());
+  while (!page.empty()) {
+    const std::size_t begin = std::min(page.find('<'), page.size());
+    out += page.substr(0, begin);
+    page.remove_prefix(begin);
+    const std::size_t size = page.find('>');
+    if (size == View::npos) return out.append(page);
+    const View name = name_of_tag(page), tag = page.substr(0, size + 1);
+    const std::size_t verbatim = end_of_verbatim(page, name);
+    const View after = page.substr(size + 1);
+    const View following = after.substr(std::min(after.find_first_not_of(blanks), after.size()));
+    if (is_implied(name, following)) {
+      page = following;
+      continue;
+    }
+    append_start(out, tag);
+    if (verbatim > 0) out += page.substr(size + 1, verbatim - size - 1);
+    page.remove_prefix(verbatim > 0 ? verbatim : size + 1);
+  }
+  return out;
+}
+
+}  // namespace loadpath::report

@@ -83,6 +83,17 @@ void ViewPicture::draw_cut(const std::vector<Point>& face, const std::vector<Poi
   if (!hole.empty()) canvas_.polygon("outline", hole);
 }
 
+/// Whether a body is drawn with its outline as one element: two would repeat the hundreds of points of a gear.
+bool ViewPicture::is_outline_of(const figure::Drawing::Path& path, const figure::Drawing::Area& area) const {
+  const auto same = [](Point p, Point q) { return p.x == q.x && p.y == q.y; };
+  return !view_.window && area.kind == figure::Drawing::Kind::body && area.hole.empty() && path.closed &&
+         path.line == Line::outline && std::ranges::equal(path.points, area.outline, same);
+}
+
+bool ViewPicture::is_outlined(const figure::Drawing::Area& area) const {
+  return std::ranges::any_of(view_.paths, [&](const auto& path) { return is_outline_of(path, area); });
+}
+
 void ViewPicture::draw_areas() {
   for (const auto& area : view_.areas) {
     const std::vector<Point> outline = simplified(at(area.outline)), hole = simplified(at(area.hole));
@@ -99,7 +110,7 @@ void ViewPicture::draw_areas() {
         draw_cut(face, outline, hole);
         break;
       case figure::Drawing::Kind::body:
-        canvas_.polygon("body", face);
+        canvas_.polygon(is_outlined(area) ? "body outline" : "body", face);
         break;
       case figure::Drawing::Kind::liquid:
         canvas_.polygon("liquid", face);
@@ -139,7 +150,11 @@ void ViewPicture::draw_paths() {
   for (const auto& path : view_.paths) {
     std::vector<Point> page = at(path.points);
     if (path.closed) page.push_back(page.front());
-    stroke(path.line, page);
+    if (std::ranges::any_of(view_.areas, [&](const auto& area) { return is_outline_of(path, area); })) {
+      labels_.keep_off(simplified(page), half_width(path.line));
+    } else {
+      stroke(path.line, page);
+    }
   }
 }
 

@@ -20,6 +20,8 @@ class ViewPicture {
 
  private:
   void draw_areas();
+  [[nodiscard]] bool is_outline_of(const figure::Drawing::Path& path, const figure::Drawing::Area& area) const;
+  [[nodiscard]] bool is_outlined(const figure::Drawing::Area& area) const;
   void draw_cut(const std::vector<Point>& face, const std::vector<Point>& outline, const std::vector<Point>& hole);
   void draw_circles();
   void draw_paths();

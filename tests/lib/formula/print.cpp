@@ -105,7 +105,7 @@ TEST_SUITE("formula") {
                           {"sqrt(a)", "<msqrt><mi>a</mi></msqrt>"},
                           {"cbrt(-a)", "<mroot><mrow><mo form=\"prefix\">−</mo><mi>a</mi></mrow><mn>3</mn></mroot>"},
                           {"sin(a)",
-                           "<mi>sin</mi><mo>&#x2061;</mo><mrow><mn>(</mn><mi>a</mi>"
+                           "<mi>sin</mi><mo>\u2061</mo><mrow><mn>(</mn><mi>a</mi>"
                            "<mn>)</mn></mrow>"},
                           {"exp(a)", "<msup><mi mathvariant=\"normal\">e</mi><mi>a</mi></msup>"},
                           {"d / mm", "<mfrac><mi>d</mi><mi>mm</mi></mfrac>"},

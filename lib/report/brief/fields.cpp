@@ -110,6 +110,21 @@ Panel not_assessed(const Summary& summary) {
   return field(say("Not assessed"), say("give the input, or the step"), std::move(lines));
 }
 
+namespace {
+
+/// The modes of service, shape and special cases by name where they are few, else their number.
+std::string other_modes(const NotConsidered& open, bool follow_others) {
+  constexpr std::size_t most_named = 2;
+  if (open.other_names.size() <= most_named) {
+    std::string names;
+    for (const std::string& name : open.other_names) names += (names.empty() ? "" : ", ") + name;
+    return names;
+  }
+  return say(follow_others ? "{1} others" : "{1} modes", std::to_string(open.others)).text();
+}
+
+}  // namespace
+
 Panel not_considered(const Summary& summary) {
   constexpr std::size_t most_names = 7, most_hints = 2;
   const NotConsidered& open = summary.open;
@@ -120,11 +135,7 @@ Panel not_considered(const Summary& summary) {
   if (const std::size_t rest = open.names.size() - std::min(most_names, open.names.size()); rest > 0)
     text +=
         "; " + (rest == 1 ? say("1 more strength mode") : say("{1} more strength modes", std::to_string(rest))).text();
-  const std::string others = std::to_string(open.others);
-  if (open.others > 0 && text.empty())
-    text = say(open.others == 1 ? "{1} mode" : "{1} modes", others).text();
-  else if (open.others > 0)
-    text += "; " + say(open.others == 1 ? "{1} other" : "{1} others", others).text();
+  if (open.others > 0) text += (text.empty() ? "" : "; ") + other_modes(open, !text.empty());
   std::vector<Message> lines{say("{1}.", capitalised(text))};
   for (std::size_t i = 0; i < std::min(most_hints, open.hints.size()); ++i)
     lines.push_back(say("{1}.", capitalised(open.hints[i])));

@@ -213,25 +213,33 @@ std::vector<Gap> gaps_of(const project::Project& project, const Modes& modes, Gr
   return gaps;
 }
 
+namespace {
+
+using Titles = std::vector<std::pair<std::string, std::vector<std::string>>>;  // with their steps
+
+void add_mode(const Mode& mode, Titles& titles) {
+  const std::string title = plain_title(mode);
+  auto known = std::ranges::find(titles, title, [](const auto& named) { return named.first; });
+  const bool first = account::short_title(mode) == "fatigue";
+  if (known == titles.end()) known = titles.insert(first ? titles.begin() : titles.end(), {title, {}});
+  known->second.push_back(spoken(mode.step));
+}
+
+}  // namespace
+
 NotConsidered not_considered(const project::Project& project, const Modes& modes, bool several) {
   NotConsidered all;
-  std::vector<std::pair<std::string, std::vector<std::string>>> assessable, rest;
+  Titles assessable, rest, others;
   const Modes sorted = account::in_order(modes);
   for (const Mode& mode : sorted) {
     if (mode.state != State::open) continue;
-    if (mode.kind != ModeKind::strength) {
-      ++all.others;
-      continue;
-    }
-    auto& titles = mode.is_assessable ? assessable : rest;
-    const std::string title = plain_title(mode);
-    auto known = std::ranges::find(titles, title, [](const auto& named) { return named.first; });
-    const bool first = account::short_title(mode) == "fatigue";
-    if (known == titles.end()) known = titles.insert(first ? titles.begin() : titles.end(), {title, {}});
-    known->second.push_back(spoken(mode.step));
+    const bool is_strength = mode.kind == ModeKind::strength;
+    add_mode(mode, is_strength ? (mode.is_assessable ? assessable : rest) : others);
+    if (!is_strength) ++all.others;
   }
   assessable.insert(assessable.end(), rest.begin(), rest.end());
   all.names = names_with_steps(assessable, several);
+  all.other_names = names_with_steps(others, several);
   all.hints = hints_of(project, sorted, several);
   return all;
 }

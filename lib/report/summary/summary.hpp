@@ -43,7 +43,8 @@ struct Gap {
 struct NotConsidered {
   std::vector<std::string> names;  // strength modes, with their steps if there are several: "belt slip (belts)"
   std::size_t others = 0;
-  std::vector<std::string> hints;  // "give mu (belts, belt slip)"
+  std::vector<std::string> other_names;  // titles of the others, in the same way
+  std::vector<std::string> hints;        // "give mu (belts, belt slip)"
 };
 
 struct Summary {

@@ -150,6 +150,7 @@ std::vector<figure::Figure> Design::figures(const Input& in, const Result& r) {
   mark_peaks(shaft.diagrams.back());
   shaft.diagrams.push_back(diagram({"T", "torque", "N*m"}, {along(loaded, "T", &torque)}));
   shaft.diagrams.push_back(elastic_line(loaded));
+  mark_peaks(shaft.diagrams.back());
   const char* const caption =
       varies(in) ? "The shaft where it is bent most in a turn: torques, bearings, diagrams in both planes, and the "
                    "sections that govern"

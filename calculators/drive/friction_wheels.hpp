@@ -15,9 +15,11 @@
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 #include "lib/quantity/drive_units.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::drive {
 
@@ -252,6 +254,8 @@ q_adm = "30 N/mm"
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
+  /// The wheels with their forces, and the contact.
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 constexpr auto choices_of(FrictionWheels::Shape) {

@@ -9,6 +9,9 @@
 #include "calculators/vessel/ends/end_input.hpp"
 #include "calculators/vessel/modes.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <vector>
 
 namespace loadpath::vessel {
 
@@ -112,6 +115,7 @@ R_m = "410 MPa"
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 constexpr auto choices_of(FlatEnd::Attachment) {

@@ -17,9 +17,11 @@
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 #include "lib/quantity/units.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::shaft {
 
@@ -271,6 +273,7 @@ R_e_k = "420 MPa"
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 constexpr auto choices_of(Key::Form) {

@@ -100,8 +100,8 @@ void PlotPicture::draw_marks() {
 void PlotPicture::label_mark(const figure::Mark& mark) {
   const auto dot = frame_.place(mark.x, mark.y);
   if (!dot) return;
-  const std::string value = symbol(mark.label) + " " + frame_.y().quantity(mark.y);
-  const Text text = typeset(say("{1} at {2}", value, frame_.x().quantity(mark.x)).text());
+  const std::string value = symbol(mark.label) + " " + with_minus(frame_.y().quantity(mark.y));
+  const Text text = typeset(say("{1} at {2}", value, with_minus(frame_.x().quantity(mark.x))).text());
   canvas_.centred_text("halo", labels_.place(around(*dot, 7.0, width(text, text_size))), text);
 }
 

@@ -105,7 +105,7 @@ TEST_SUITE("draw") {
     const std::string text = svg({"m", "1 < 2 & 3", plot});
     CHECK(well_formed(text));
     CHECK(has(text, "<title>1 &lt; 2 &amp; 3</title>"));
-    CHECK(has(text, "&lt;b&gt;&quot;a&quot; &amp; b&lt;/b&gt; -86 N·m"));
+    CHECK(has(text, "&lt;b&gt;&quot;a&quot; &amp; b&lt;/b&gt; −86 N·m"));
     CHECK_FALSE(has(text, "<script>"));
     CHECK_FALSE(has(text, "\x01"));
   }

@@ -48,7 +48,7 @@ TEST_SUITE("draw") {
 
   TEST_CASE("a mark carries its label, value and place") {
     const std::string text = drawn(moment_plot());
-    CHECK(has(text, "peak -86 N·m at 202.7"));
+    CHECK(has(text, "peak −86 N·m at 202.7"));
     CHECK(count(text, "<circle class=\"solid\"") == 1);
   }
 

@@ -45,7 +45,7 @@ Points slotted(const KeySizes& s, double bottom) {
   return outline;
 }
 
-Points ring(double radius) {
+Points circle_points(double radius) {
   constexpr int steps = 90;
   Points points;
   for (int k = 0; k < steps; ++k)
@@ -75,8 +75,9 @@ Drawing::View across(const Key::Input& in, const Key::Result& r, const KeySizes&
   const double bore = 0.5 * in_si(in.d_bore), low = s.R - s.t_1, beyond = 1.12 * s.R_hub;
   Drawing::View view;
   view.share = is_set(in.l) ? 0.58 : 1.0, view.room = 40.0;
-  view.areas.push_back({ring(s.R_hub), Drawing::Kind::cut, say("hub").text(), slotted(s, s.R + s.t_2)});
-  view.areas.push_back({slotted(s, low), Drawing::Kind::cut, say("shaft").text(), bore > 0.0 ? ring(bore) : Points()});
+  view.areas.push_back({circle_points(s.R_hub), Drawing::Kind::cut, say("hub").text(), slotted(s, s.R + s.t_2)});
+  view.areas.push_back(
+      {slotted(s, low), Drawing::Kind::cut, say("shaft").text(), bore > 0.0 ? circle_points(bore) : Points()});
   add_box(-0.5 * s.b, 0.5 * s.b, low, low + s.h, Drawing::Kind::body, say("key").text(), view);
   if (s.two) add_box(-0.5 * s.b, 0.5 * s.b, -low - s.h, -low, Drawing::Kind::body, say("key").text(), view);
   view.paths.push_back({{{0.0, -beyond}, {0.0, beyond}}, Drawing::Line::centre});

@@ -114,9 +114,9 @@ TEST_SUITE("gear.rating") {
       in.s_pr = row.s_pr;
       const auto r = rated(in);
       CHECK(rel(r.Y_Fa1, row.Y_Fa1) < 1e-8);
-      CHECK(rel(r.Y_Sa1, row.Y_Sa1) < 1e-6);
+      CHECK(rel(r.Y_Sa1, row.Y_Sa1) < 1e-5);  // its curvature by finite differences
       CHECK(rel(r.Y_Fa2, row.Y_Fa2) < 1e-8);
-      CHECK(rel(r.Y_Sa2, row.Y_Sa2) < 1e-6);
+      CHECK(rel(r.Y_Sa2, row.Y_Sa2) < 1e-5);
       CHECK(r.Y_Fa1 > plain.Y_Fa1);
       CHECK(r.sigma_H1 == plain.sigma_H1);
       CHECK(!is_set(r.f_int));

@@ -92,10 +92,7 @@ v_max = "25 m/s"
       Field{&Input::K_f, "K_f", ratio, "sag factor: 6 for a horizontal drive, 3 at 40 deg, 1 for a vertical drive"}
           .within(0, 10)
           .usually(1, 6),
-      Field{&Input::P_b, "P_b", kW,
-            "rated power of a chain of the width b_R with the smaller sprocket at its speed (manufacturer)"}
-          .positive()
-          .may_be_missing(),
+      Field{&Input::P_b, "P_b", kW, "rated power of the width b_R, by the manufacturer"}.positive().may_be_missing(),
       Field{&Input::b_R, "b_R", mm, "width of the rating; 25.4 mm: power per inch of width"}.positive().usually(1, 100),
       Field{&Input::q, "q", kg_per_m, "mass per length of the chain"}.positive().usually(0.1, 200).may_be_missing(),
       Field{&Input::F_u, "F_u", kN, "breaking load of the chain"}.positive().usually(1, 5000).may_be_missing(),

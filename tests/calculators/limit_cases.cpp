@@ -145,6 +145,10 @@ R_e = "235 MPa")",
      pi* pi * 210e9 * (pi / 64 * (0.045 * 0.045 * 0.045 * 0.045 - 0.03 * 0.03 * 0.03 * 0.03)) / (1.8 * 1.8)},
     {"column.buckling", "d = \nh = \"60 mm\"\nb = \"40 mm\"\nt_w = \"4 mm\"\nt_f = \"6 mm\"", "N_cr",
      pi* pi * 210e9 * 188928e-12 / (1.8 * 1.8)},  // the rectangle less its hollow
+    {"column.buckling",
+     "d = \nh = \"60 mm\"\nb = \"40 mm\"\nt_w = \"4 mm\"\nt_f = \"6 mm\"\nkind = \"cold_hollow\"\nE = \"70 GPa\"\n"
+     "R_e = \"240 MPa\"\nsigma_P = \"170 MPa\"",
+     "r_class", 12.0 / (15.0 * std::sqrt(250.0 / 240.0))},  // the web is 48 mm wide between the corners
     {"column.buckling", "method = \"secant\"\ne_y = \"5 mm\"", "axes[1].sigma_edge",
      340e6},             // the extreme fibre yields
     {"column.buckling",  // of an angle, the weak principal axis
@@ -463,11 +467,17 @@ const Case racks[] = {
     {"gear.bevel", "z_2 = 20\nSigma = \"60 deg\"", "R_e", 0.080},  // 40 mm / sin 30 deg
     {"gear.bevel", "N = 1e10\nL_h = \nT_G = \"249 degF\"", "K_T", 1},
     {"gear.bevel", "N = 500\nL_h = ", "K_L1", 2.7},
+    {"gear.bevel", "service = \"general\"\nN = 1e10\nL_h = ", "K_L1", 1.3558 * std::pow(1e10, -0.0178)},
     {"gear.bevel", "b = \"12.7 mm\"", "C_s", 0.5},
     {"gear.worm", "z_1 = 10", "gamma", pi / 4},  // 10 threads of 4 mm on 40 mm
     {"gear.worm", "mu = 0.005\nz_1 = 10", "eta", (std::cos(pi / 9) - 0.005) / (std::cos(pi / 9) + 0.005)},
     {"gear.worm", "mu = 0.05\nz_1 = 10\nz_2 = 200", "C_m", 0.02 * 18 + 0.46},
     {"gear.worm", "b_2 = \"35 mm\"", "F_e", 0.0268},
+    {"gear.worm", "P = \nT_2 = \"80 N*m\"", "F_t2", 1000},
+    {"gear.worm", "P = \nT_1 = \"4 N*m\"", "F_t1", 200},
+    {"gear.worm", "y = 0.125", "y", 0.125},
+    {"gear.worm", "A_h = \ndT_adm = \nP_cool = \"1 kW\"", "P_K", 1000},
+    {"gear.worm", "cooling = \"fan\"", "P_K", 63.05 * (1400.0 / 3939.0 + 0.13) * 0.25 * 60},
     {"gear.rating", "beta = \"8 deg\"", "Z_beta", std::sqrt(std::cos(8 * pi / 180))},
     {"gear.rating", "beta = \"8 deg\"\nstandard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"", "Z_beta",
      1 / std::sqrt(std::cos(8 * pi / 180))},

@@ -26,7 +26,7 @@ struct Side {
 
 /// belt.flat with the motor on a pivoted base.
 #define PIVOTED_BELT \
-  "b = \"100 mm\"\ntensioning = \"pivoted_base\"\nm_m = \"400 kg\"\na_G = \"300 mm\"\nh_P = \"300 mm\"\n"
+  "b = \"100 mm\"\ntensioning = \"pivoted_base\"\nm_m = \"400 kg\"\na_G = \"300 mm\"\nh_P = \"300 mm\""
 
 const Side vessels[] = {
     {"vessel.cylinder", "t_R", outside, "delta", R"("60 mm")", R"("60.1 mm")", "measured = \"mean\"\nc = \"0 mm\""},
@@ -420,7 +420,7 @@ const Side pulleys[] = {
      "E_1 = \"210 GPa\"\nE_2 = \"210 GPa\""},  // 108.37 MPa
     {"belt.flat", "u_S", over, "S_0", R"("1201 N")", R"("1200 N")", R"(b = "100 mm")"},
     {"belt.flat", "u_S", over, "m_m", R"("190 kg")", R"("189 kg")", PIVOTED_BELT},
-    {"belt.flat", "u_Sr", over, "m_m", R"("271 kg")", R"("270 kg")", PIVOTED_BELT "rotation = \"both\""},
+    {"belt.flat", "u_Sr", over, "m_m", R"("271 kg")", R"("270 kg")", PIVOTED_BELT "\nrotation = \"both\""},
     {"belt.flat", "u_sigma", over, "sigma_adm", R"("7.2 MPa")", R"("7.1 MPa")", "b = \"100 mm\"\nE_b = "},
     {"belt.flat", "sigma_N", over, "n_1", R"("7000 rpm")", R"("7100 rpm")", "b = \"100 mm\"\nE_b = "},
     {"belt.flat", "v_range", outside, "n_1", R"("478 rpm")", R"("477 rpm")", R"(b = "300 mm")"},

@@ -141,7 +141,7 @@ TEST_SUITE("cli outputs") {
     const Desk desk;
     desk.put("a.toml", axle);
     desk.put("s.toml", two_axles);
-    const std::string lever = LOADPATH_ROOT "/examples/slotted-lever/project.toml";
+    const std::string lever = LOADPATH_ROOT "/examples/cam-valve/project.toml";
     for (const std::string& words :
          std::vector<std::string>{"run a.toml --report p.html", "run a.toml --report p.md", "run a.toml --report p.tex",
                                   "sweep s.toml --csv p.csv", "sweep s.toml --report p.html",

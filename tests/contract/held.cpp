@@ -140,7 +140,10 @@ Record found_input(const project::Step& step) {
 std::string held(const project::Step& step, double load_factor) {
   const Record record = found_input(step);
   std::string text = "[" + step.name() + "]\ncalculator = " + in_quotes(step.input().calculator->id) + "\n";
+  const Leaf ratio = find_leaf(record, "chi");
+  const bool has_ratio = ratio && !std::isnan(ratio.get());
   for (const FieldInfo& field : record.type->fields) {
+    if (has_ratio && field.key == std::string_view("d_bore")) continue;  // it followed from the bore ratio
     const std::string value = value_text(field, record.data.get(), load_factor);
     if (!value.empty()) text += std::string(field.key) + " = " + value + "\n";
   }

@@ -180,7 +180,7 @@ S_Fmin = 1.5
       Rule<Input>{&face_fits, "b, m_et, z_1, z_2, Sigma",
                   "the face width must be less than half the outer cone distance"},
       Rule<Input>{[](const Input& in) { return in.h_fP > in.h_aP; }, "h_fP, h_aP",
-                  "the dedendum must exceed the addendum: there is no tip clearance"},
+                  "the dedendum must exceed the addendum, for tip clearance"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.T_1) && is_set(in.P)); }, "T_1, P",
                   "give the load as T_1 or as P, not both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.P) || is_set(in.n_1); }, "P, n_1",

@@ -99,8 +99,8 @@ void balance_heat(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.A_h) || !is_set(in.dT_adm)) return;
   STEP(n_h, in.n_1 / rpm, "speed of the worm in rpm");
   const bool blown = in.cooling == WormTypes::Cooling::fan;
-  const double k_h = blown ? NAMED_STEP("k_h", 63.05 * (n_h / 3939.0 + 0.13), "W/(m^2 K), with a fan, recalled")
-                           : NAMED_STEP("k_h", 63.05 * (n_h / 6494.0 + 0.13), "W/(m^2 K), without a fan, recalled");
+  const double k_h = blown ? NAMED_STEP("k_h", 63.05 * (n_h / 3939.0 + 0.13), "W/(m^2 K), with a fan, from memory")
+                           : NAMED_STEP("k_h", 63.05 * (n_h / 6494.0 + 0.13), "W/(m^2 K), without a fan, from memory");
   STEP(A_m, in.A_h / (1e6 * mm2), "surface in m^2");
   STEP_TO(r, P_K, k_h * A_m * (in.dT_adm / kelvin) * W, "heat through the case");
   STEP_TO(r, dT, r.P_V / P_K * in.dT_adm, "proportional to the power loss");

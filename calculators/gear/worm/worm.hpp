@@ -139,7 +139,7 @@ dT_adm = "60 K"
       Rule<Input>{[](const Input& in) { return !is_set(in.d_1) || !is_set(in.m_x) || in.m_x * in.z_1 <= in.d_1; },
                   "z_1, m_x, d_1", "the lead angle must not exceed 45 deg: increase d_1, or reduce z_1"},
       Rule<Input>{[](const Input& in) { return in.h_fP > in.h_aP; }, "h_fP, h_aP",
-                  "the dedendum must exceed the addendum: there is no tip clearance"},
+                  "the dedendum must exceed the addendum, for tip clearance"},
       Rule<Input>{[](const Input& in) {
                     return static_cast<int>(is_set(in.T_1)) + static_cast<int>(is_set(in.T_2)) +
                                static_cast<int>(is_set(in.P)) <=

@@ -67,7 +67,7 @@ In any_pair(std::mt19937_64& random) {
 
 }  // namespace
 
-TEST_SUITE("gear rating, load factors of ISO 6336-1") {
+TEST_SUITE("gear rating load factors of ISO 6336-1") {
   TEST_CASE("example 1 of ISO/TR 6336-30: stiffnesses, load factors, stress and safety factors as printed") {
     const auto r = rated_by_iso(printed_pair());  // tip diameters are rounded to 0.01 mm there
     CHECK(rel(r.c_th, 17.85584) < 5e-5);

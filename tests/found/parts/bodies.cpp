@@ -99,7 +99,8 @@ TEST_SUITE("found bodies") {
       CHECK(state_of(vessel(c, "", head_first), "head", "strength") == "not-judged");
       CHECK(state_of(vessel(c, "because.c = \"clad\"", head_first), "head", "strength") == "pass");
     }
-    const std::string apart = wall("small", "calculator = \"vessel.sphere\"\nR = \"200 mm\"");
+    const std::string apart =
+        wall("small", "calculator = \"vessel.sphere\"\nR = \"200 mm\"\nbecause.R = \"another vessel\"");
     CHECK(state_of(vessel(c, c) + apart, "small", "strength") == "pass");
   }
 }

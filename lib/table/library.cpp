@@ -4,6 +4,7 @@
 #include "lib/text/embedded.hpp"
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 #include <stdexcept>
 
@@ -68,6 +69,25 @@ std::vector<const Table*> tables_where(const std::string& text, Wanted wanted) {
   return found;
 }
 
+/// Rows that were found, for a project asks for the same few again and again.
+class FoundRows {
+ public:
+  Entry find(const std::string& key) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = rows_.find(key);
+    return found != rows_.end() ? found->second : Entry();
+  }
+
+  const Entry& keep(const std::string& key, const Entry& entry) {
+    const std::lock_guard lock(mutex_);
+    return rows_.emplace(key, entry).first->second;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<std::string, Entry> rows_;
+};
+
 /// The line of a file with the name of its table, or its folder.
 std::string table_line(std::string_view name) { return "table = \"" + std::string(name); }
 
@@ -83,13 +103,17 @@ const Library& built_in() {
 }
 
 Outcome<Entry> find_row(std::string_view group, std::string_view name) {
-  Entry entry;
+  static FoundRows found_rows;
+  const std::string key = std::string(group) + '\n' + std::string(name);
+  Entry entry = found_rows.find(key);
+  if (entry.row != nullptr) return entry;
   visit_until('"' + std::string(name) + '"', [&](const Library& library) {
     if (const auto found = find_row(library, group, name)) entry = *found;
     return entry.row != nullptr;
   });
-  if (entry.row != nullptr) return entry;
-  return find_row(built_in(), group, name);  // by other capitals, or reports near names
+  if (entry.row != nullptr) return found_rows.keep(key, entry);
+  if (name.empty()) return find_row(Library{}, group, name);  // nothing is near no name
+  return find_row(built_in(), group, name);                   // by other capitals, or reports near names
 }
 
 const Series* series_named(std::string_view name) {

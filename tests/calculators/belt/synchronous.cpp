@@ -85,11 +85,12 @@ TEST_SUITE("belt synchronous") {
   }
 
   TEST_CASE("belts of one inch width carry what a manufacturer's tables of ZR belts state, within 5 %") {
-    for (const auto& [row, pull] : {std::pair{2, 624.0}, {3, 850.0}, {4, 1043.0}}) {
-      auto in = of(sections[row]);
+    for (const auto& row : {std::pair{2, 624.0}, {3, 850.0}, {4, 1043.0}}) {
+      const auto& section = sections[row.first];
+      auto in = of(section);
       in.b = 25.4 * mm;
-      CAPTURE(sections[row].section);
-      CHECK(rel(solve(in).k_w * in_si(in.F_a), pull) < 0.05);
+      CAPTURE(section.section);
+      CHECK(rel(solve(in).k_w * in_si(in.F_a), row.second) < 0.05);
     }
   }
 
@@ -123,20 +124,20 @@ TEST_SUITE("belt synchronous") {
     auto in = pump();
     in.z_1 = 12, in.z_2 = 12;
     CHECK(solve(in).k_z == 1.0);
-    for (const auto& [z, k_z] : {std::pair{11, 0.8}, {10, 0.8}, {9, 0.6}, {8, 0.6}, {6, 0.4}}) {
-      in.z_1 = z, in.z_2 = z;
-      CAPTURE(z);
-      CHECK(solve(in).k_z == doctest::Approx(k_z).epsilon(1e-12));
+    for (const auto& row : {std::pair{11, 0.8}, {10, 0.8}, {9, 0.6}, {8, 0.6}, {6, 0.4}}) {
+      in.z_1 = row.first, in.z_2 = row.first;
+      CAPTURE(row.first);
+      CHECK(solve(in).k_z == doctest::Approx(row.second).epsilon(1e-12));
     }
     CHECK(solve(in).z_m == 3.0);
   }
 
   TEST_CASE("speed-up drives have a larger service factor") {
     auto in = pump();
-    for (const auto& [z_1, c_i] : {std::pair{20, 0.0}, {24, 0.0}, {25, 0.1}, {35, 0.2}, {50, 0.3}, {70, 0.4}}) {
-      in.z_1 = z_1, in.z_2 = 20, in.a = 1.0 * m;
-      CAPTURE(z_1);
-      CHECK(solve(in).c_i == c_i);
+    for (const auto& row : {std::pair{20, 0.0}, {24, 0.0}, {25, 0.1}, {35, 0.2}, {50, 0.3}, {70, 0.4}}) {
+      in.z_1 = row.first, in.z_2 = 20, in.a = 1.0 * m;
+      CAPTURE(row.first);
+      CHECK(solve(in).c_i == row.second);
       CHECK(solve(in).n_k == solve(in).n_2);
     }
   }

@@ -92,13 +92,34 @@ TEST_SUITE("table") {
     });
   }
 
+  TEST_CASE(
+      "bearings: the pressure centre is where the contact angle meets the axis, seen from the outer ring's back") {
+    int count = 0;
+    each_bearing([&](const Entry& row) {
+      INFO(row.row->name);
+      const double a = value_of(row, "a"), B = value_of(row, "B");
+      const double pitch_radius = 0.25 * (value_of(row, "d") + value_of(row, "D"));
+      if (std::isnan(a)) return;
+      const bool balls = row.row->kind == "angular_contact_ball";
+      CHECK((balls || row.row->kind == "tapered_roller"));
+      // e = 1.5 tan(alpha) of rollers, which are not in the middle of T; the catalogue rounds to 1 mm
+      const double tangent = balls ? std::tan(40.0 / 180.0 * 3.14159265358979) : value_of(row, "e") / 1.5;
+      const double ratio = a / (0.5 * B + pitch_radius * tangent);
+      CHECK(ratio > (balls ? 0.97 : 0.86));
+      CHECK(ratio < (balls ? 1.03 : 1.04));
+      CHECK(a > 0.5 * B);
+      ++count;
+    });
+    CHECK(count == 156);
+  }
+
   TEST_CASE("bearings: in a series sizes grow with the bore, and so do mass and ratings but for changes of class") {
     for (const Table* table : tables_of("bearing")) {
       const double class_step = table->name == "bearing/NU10" ? 0.6 : 0.75;
       for (std::size_t i = 1; i < table->rows.size(); ++i) {
         const Entry before{table, &table->rows[i - 1]}, here{table, &table->rows[i]};
         INFO(here.row->name);
-        for (const char* key : {"D", "B", "r_s", "d_a"}) {
+        for (const char* key : {"D", "B", "r_s", "d_a", "a"}) {
           if (!std::isnan(value_of(here, key) * value_of(before, key)))
             CHECK(value_of(here, key) >= value_of(before, key));
         }

@@ -258,6 +258,7 @@ Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
   STEP(F_rd, in.K_A * in.F_r, "radial load");
   const Thrust shared = thrust(in, trace);
   const Force F_ax = shared.F_a;
+  r.F_ax = F_ax;
   STEP(F_ad, in.K_A * abs(F_ax), "axial load");
   const Force F_rK = trace.value("F_rK", F_rd, "load as given"), F_aK = trace.value("F_aK", F_ad, "load as given");
   const Equivalent q = equivalent(in, F_rK, F_aK, trace);

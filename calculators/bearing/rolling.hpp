@@ -4,8 +4,9 @@
 // the required life; s_0 = C_0/P_0 of [ISO76]; the minimum load against skidding. C, C_0, the factors and the speed
 // are those of the manufacturer's table; deep groove ball bearings have theirs by f_0. For a bearing with one axial
 // load direction F_a is positive in that direction and includes the induced axial force, or the mate of the pair is
-// given; for others its sign has no effect. K_A acts once: on all loads but those at rest, F_r0 and F_a0. a_ISO by
-// viscosity ratio, e_C and C_u. Not covered: annex A of e_C, swinging, clearance, tilt, spherical thrust bearings.
+// given with their arrangement; for others its sign has no effect. K_A acts once: on all loads but those at rest, F_r0
+// and F_a0. a_ISO by viscosity ratio, e_C and C_u. Not covered: annex A of e_C, swinging, clearance, tilt, spherical
+// thrust bearings.
 #pragma once
 
 #include "calculators/bearing/rolling_bounds.hpp"
@@ -93,7 +94,9 @@ s_0 = 2
     Viscosity nu = unset<Viscosity>;
     Force C_u = unset<Force>;
     Mate mate;
+    Arrangement arrangement = Arrangement::unsaid;
     Carries carries = Carries::unsaid;
+    Length x = unset<Length>;
     double c_i = 0.5;
   };
   /// A bearing that locates the shaft and lets it slip.
@@ -214,15 +217,7 @@ s_0 = 2
                  .may_be_missing(),
              Choice{&Input::holds, "holds", "loads that the shaft needs the bearing for: radial, or radial and axial"}
                  .may_be_missing()},
-      life_inputs<Input>(),
-      Fields{
-          Group{&Input::mate, "mate",
-                "the other bearing of a pair: F_a is then the external axial force, positive to the right"}
-              .may_be_missing(),
-          Choice{&Input::carries, "carries", "direction of the axial force that this bearing carries, with mate"}
-              .may_be_missing(),
-          Field{&Input::c_i, "c_i", ratio, "induced axial force x Y / F_r: 0.5; some catalogues 0.6"}.within(0.5, 0.6)},
-      dimension_inputs<Input>(), seat_inputs<Input>());
+      life_inputs<Input>(), pair_inputs<Input>(), dimension_inputs<Input>(), seat_inputs<Input>());
 
   struct Stage {
     Name name;
@@ -251,7 +246,8 @@ s_0 = 2
     double L_10 = unset<double>;
     Time L_10h = unset<Time>, L_nh = unset<Time>;
     double a_ISO = unset<double>, R_L = unset<double>, x_k = unset<double>;
-    Force C_req = unset<Force>, P_0 = unset<Force>, F_i = unset<Force>, F_ao = unset<Force>, F_ro = unset<Force>;
+    Force C_req = unset<Force>, P_0 = unset<Force>, F_ax = unset<Force>, F_i = unset<Force>, F_ao = unset<Force>,
+          F_ro = unset<Force>;
     double u_L = unset<double>, x_P = unset<double>, u_0 = unset<double>, x_min = unset<double>, u_n = unset<double>;
     double u_a = unset<double>, x_i = unset<double>;
     double x_d = unset<double>, x_B = unset<double>, x_r = unset<double>, x_a = unset<double>;
@@ -263,8 +259,8 @@ s_0 = 2
           Field{&Result::x_f, "x_f", ratio, "f_0 F_a/C_0 (range of the table of e and Y)"}
               .limit(0, 6.89 * (1.0 + 1e-9), "f_0")
               .where_it_applies(),
-          Field{&Result::e, "e", ratio, "limiting ratio F_a/F_r above which the axial load is included"},
-          Field{&Result::Y, "Y", ratio, "axial load factor above e"},
+          Field{&Result::e, "e", ratio, "limiting ratio F_a/F_r above which the axial load is included"}.as_given(),
+          Field{&Result::Y, "Y", ratio, "axial load factor above e"}.as_given(),
           Field{&Result::P, "P", kN, "equivalent dynamic load of F_r and F_a"}.holding("K_A"),
           Field{&Result::P_m, "P_m", kN, "equivalent dynamic load of all blocks"}.holding("K_A"),
           Field{&Result::n_m, "n_m", rpm, "mean speed"},
@@ -278,6 +274,7 @@ s_0 = 2
               .where_it_applies(),
           Field{&Result::C_req, "C_req", kN, "required dynamic load rating"}.holding("K_A"),
           Field{&Result::P_0, "P_0", kN, "equivalent static load, maximum"}.holding("K_A"),
+          Field{&Result::F_ax, "F_ax", kN, "axial load in the direction that the bearing carries, without K_A"},
           Field{&Result::F_i, "F_i", kN, "induced axial force on the mating bearing: c_i F_r/Y"}.load().holding("K_A"),
           Field{&Result::F_ao, "F_ao", N, "axial load not carried by the bearing type"}.limit(0, 1e-3).criterion(),
           Field{&Result::F_ro, "F_ro", N, "radial load not carried by the bearing type"}.limit(0, 1e-3).criterion(),
@@ -302,53 +299,55 @@ s_0 = 2
           ListField{&Result::blocks, "blocks", "the blocks"}},
       seat_results<Result>());
 
-  static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return in.kind != Kind::unstated; }, "kind",
-                  "give the bearing type, kind, or a row of the tables: bearing = \"6208\""},
-      Rule<Input>{&ratings_agree, "C, C_0", "C and C_0 must belong to the same bearing", &odd_ratings},
-      Rule<Input>{&factors_once, "f_0, e, Y", "give either f_0 (deep groove ball bearing) or e and Y"},
-      Rule<Input>{&factors_given, "e, Y, X, Y_1, f_0, C_0, F_a, kind", "this load needs the factors of the bearing",
-                  &missing_factors},
-      Rule<Input>{[](const Input& in) { return !is_set(in.s_0) || is_set(in.C_0); }, "s_0, C_0",
-                  "the static safety factor needs the static load rating C_0"},
-      Rule<Input>{&static_factors_given, "Y_0, s_0, F_a, F_a0, kind",
-                  "the static safety factor under an axial load needs Y_0 of the manufacturer"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.F_a0) || is_set(in.F_r0); }, "F_a0, F_r0",
-                  "give the radial load F_r0 with F_a0, even if it is zero"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.L_h) && is_set(in.L_m)); }, "L_h, L_m",
-                  "give the life either in hours or in revolutions"},
-      Rule<Input>{[](const Input& in) {
-                    return in.blocks.empty() || is_set(in.n) ||
-                           std::all_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return is_set(b.n); });
-                  },
-                  "n, blocks", "every block needs a speed: its own n, or that of the bearing"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.L_m) || !is_set(in.n) || in.n > 0.0 * rpm; }, "L_m, n",
-                  "a bearing at standstill has no life in revolutions: omit L_m or n"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || highest_speed(in) > 0.0 * rpm; }, "L_h, n, blocks",
-                  "a bearing at standstill has no life in hours: omit L_h, or give the speed"},
-      Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",
-                  "blocks of time need the speed n, or that of each block"},
-      Rule<Input>{[](const Input& in) {
-                    return in.blocks.empty() ||
-                           std::any_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return b.k >= 1.0; });
-                  },
-                  "blocks, F_r, F_a", "no block has the loads F_r and F_a: give the loads of the largest block, k = 1"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.R) || in.a_1 == 1.0; }, "R, a_1",
-                  "give either the reliability R or a_1"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.kappa) && is_set(in.nu)); }, "kappa, nu",
-                  "give either the viscosity ratio kappa or the viscosity nu"},
-      Rule<Input>{[](const Input& in) { return has_film(in) == is_set(in.e_C); }, "e_C, kappa, nu",
-                  "a_ISO needs the contamination factor e_C and one of kappa and nu"},
-      Rule<Input>{[](const Input& in) { return !has_film(in) || is_set(in.C_u); }, "C_u, kappa, nu",
-                  "a_ISO needs the fatigue load limit C_u"},
-      Rule<Input>{[](const Input& in) {
-                    return !is_set(in.nu) || (is_set(in.d) && is_set(in.D) && highest_speed(in) > 0.0 * rpm);
-                  },
-                  "nu, d, D, n", "the reference viscosity needs bore, outer diameter and speed: give them, or kappa"},
-      Rule<Input>{
-          &mate_is_complete<Input>, "mate, carries, kind, Y",
-          "a pair is of two single-row bearings at an angle: give Y, the Y of the mate, and what this one carries"},
-      Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}};
+  static constexpr auto rules = join(
+      std::array{
+          Rule<Input>{[](const Input& in) { return in.kind != Kind::unstated; }, "kind",
+                      "give the bearing type, kind, or a row of the tables: bearing = \"6208\""},
+          Rule<Input>{&ratings_agree, "C, C_0", "C and C_0 must belong to the same bearing", &odd_ratings},
+          Rule<Input>{&factors_once, "f_0, e, Y", "give either f_0 (deep groove ball bearing) or e and Y"},
+          Rule<Input>{&factors_given, "e, Y, X, Y_1, f_0, C_0, F_a, kind", "this load needs the factors of the bearing",
+                      &missing_factors},
+          Rule<Input>{[](const Input& in) { return !is_set(in.s_0) || is_set(in.C_0); }, "s_0, C_0",
+                      "the static safety factor needs the static load rating C_0"},
+          Rule<Input>{&static_factors_given, "Y_0, s_0, F_a, F_a0, kind",
+                      "the static safety factor under an axial load needs Y_0 of the manufacturer"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.F_a0) || is_set(in.F_r0); }, "F_a0, F_r0",
+                      "give the radial load F_r0 with F_a0, even if it is zero"},
+          Rule<Input>{[](const Input& in) { return !(is_set(in.L_h) && is_set(in.L_m)); }, "L_h, L_m",
+                      "give the life either in hours or in revolutions"},
+          Rule<Input>{[](const Input& in) {
+                        return in.blocks.empty() || is_set(in.n) ||
+                               std::all_of(in.blocks.begin(), in.blocks.end(),
+                                           [](const Block& b) { return is_set(b.n); });
+                      },
+                      "n, blocks", "every block needs a speed: its own n, or that of the bearing"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.L_m) || !is_set(in.n) || in.n > 0.0 * rpm; }, "L_m, n",
+                      "a bearing at standstill has no life in revolutions: omit L_m or n"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || highest_speed(in) > 0.0 * rpm; },
+                      "L_h, n, blocks", "a bearing at standstill has no life in hours: omit L_h, or give the speed"},
+          Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",
+                      "blocks of time need the speed n, or that of each block"},
+          Rule<Input>{
+              [](const Input& in) {
+                return in.blocks.empty() ||
+                       std::any_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return b.k >= 1.0; });
+              },
+              "blocks, F_r, F_a", "no block has the loads F_r and F_a: give the loads of the largest block, k = 1"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.R) || in.a_1 == 1.0; }, "R, a_1",
+                      "give either the reliability R or a_1"},
+          Rule<Input>{[](const Input& in) { return !(is_set(in.kappa) && is_set(in.nu)); }, "kappa, nu",
+                      "give either the viscosity ratio kappa or the viscosity nu"},
+          Rule<Input>{[](const Input& in) { return has_film(in) == is_set(in.e_C); }, "e_C, kappa, nu",
+                      "a_ISO needs the contamination factor e_C and one of kappa and nu"},
+          Rule<Input>{[](const Input& in) { return !has_film(in) || is_set(in.C_u); }, "C_u, kappa, nu",
+                      "a_ISO needs the fatigue load limit C_u"},
+          Rule<Input>{[](const Input& in) {
+                        return !is_set(in.nu) || (is_set(in.d) && is_set(in.D) && highest_speed(in) > 0.0 * rpm);
+                      },
+                      "nu, d, D, n",
+                      "the reference viscosity needs bore, outer diameter and speed: give them, or kappa"},
+          Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}},
+      pair_rules<Input>());
 
   static constexpr bool turns = true;
   static constexpr auto bounds = rolling_bounds<Input>();

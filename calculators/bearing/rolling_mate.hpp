@@ -5,6 +5,7 @@
 #include "calculators/bearing/rolling_kind.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/drive_units.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 
@@ -20,27 +21,107 @@ constexpr auto choices_of(Carries) {
       ChoiceName<Carries>{Carries::right, "right", "axial forces to the right: positive F_a of the shaft"}};
 }
 
+enum class Arrangement { unsaid, back_to_back, face_to_face };
+
+constexpr auto choices_of(Arrangement) {
+  return std::array{ChoiceName<Arrangement>{Arrangement::unsaid, "", "not stated"},
+                    ChoiceName<Arrangement>{Arrangement::back_to_back, "back_to_back",
+                                            "O arrangement: the left bearing carries axial forces to the right, "
+                                            "pressure centres outside"},
+                    ChoiceName<Arrangement>{Arrangement::face_to_face, "face_to_face",
+                                            "X arrangement: the left bearing carries axial forces to the left, "
+                                            "pressure centres inside"}};
+}
+
 struct Mate {
   Force F_r = unset<Force>, F_a = unset<Force>;
   Force F_r0 = unset<Force>, F_a0 = unset<Force>;
   double Y = unset<double>;
+  Length x = unset<Length>;
   static constexpr Fields fields{
       RecordField<Mate>{"load", "loads of the mating bearing: load = \"=shaft.bearings.right\""},
       Field{&Mate::F_r, "F_r", kN, "its radial load"}.load().at_least(0),
       Field{&Mate::F_a, "F_a", kN, "external axial force on it, positive to the right"}.load().may_be_missing(),
-      Field{&Mate::Y, "Y", ratio, "its axial load factor above e"}.positive().usually(0.2, 7),
+      Field{&Mate::Y, "Y", ratio, "its axial load factor above e: Y = \"=right_bearing.Y\""}.positive().usually(0.2, 7),
       Field{&Mate::F_r0, "F_r0", kN, "its peak radial load"}.load().at_least(0).may_be_missing(),
-      Field{&Mate::F_a0, "F_a0", kN, "simultaneous axial force"}.load().may_be_missing()};
+      Field{&Mate::F_a0, "F_a0", kN, "simultaneous axial force"}.load().may_be_missing(),
+      Field{&Mate::x, "x", mm, "its position on the shaft"}.may_be_missing()};
 };
+
+/// Inputs of a bearing that is one of a pair.
+template <class Input>
+constexpr auto pair_inputs() {
+  return Fields{
+      Group{&Input::mate, "mate",
+            "the other bearing of a pair: F_a is then the external axial force, positive to the right"}
+          .may_be_missing(),
+      Choice{&Input::arrangement, "arrangement",
+             "arrangement of the pair, with mate; the positions x show which bearing is the left one"}
+          .may_be_missing(),
+      Choice{&Input::carries, "carries", "direction of the axial force that this bearing carries, with mate"}
+          .may_be_missing(),
+      Field{&Input::x, "x", mm, "position of the bearing on the shaft, from its left end"}.may_be_missing(),
+      Field{&Input::c_i, "c_i", ratio, "induced axial force x Y / F_r: 0.5; some catalogues 0.6"}.within(0.5, 0.6)};
+}
 
 template <class Input>
 constexpr bool has_mate(const Input& in) {
   return is_set(in.mate.F_r) || is_set(in.mate.Y);
 }
+
+/// The direction by the arrangement, where it is known which bearing is the left one.
+template <class Input>
+constexpr Carries carried_by_arrangement(const Input& in) {
+  if (in.arrangement == Arrangement::unsaid || !is_set(in.x) || !is_set(in.mate.x) || in.x == in.mate.x)
+    return Carries::unsaid;
+  const bool is_left = in.x < in.mate.x;
+  return is_left == (in.arrangement == Arrangement::back_to_back) ? Carries::right : Carries::left;
+}
+
+template <class Input>
+constexpr Carries carried(const Input& in) {
+  return in.carries != Carries::unsaid ? in.carries : carried_by_arrangement(in);
+}
+
 template <class Input>
 constexpr bool mate_is_complete(const Input& in) {
-  if (!has_mate(in)) return in.carries == Carries::unsaid;
-  return at_an_angle(in.kind) && is_set(in.Y) && is_set(in.mate.Y) && in.carries != Carries::unsaid;
+  if (!has_mate(in)) return in.carries == Carries::unsaid && in.arrangement == Arrangement::unsaid;
+  return at_an_angle(in.kind) && is_set(in.Y) && is_set(in.mate.Y);
+}
+
+template <class Input>
+constexpr bool direction_is_known(const Input& in) {
+  return !has_mate(in) || carried(in) != Carries::unsaid;
+}
+
+template <class Input>
+FieldFault unknown_direction(const Input& in) {
+  if (in.arrangement == Arrangement::unsaid)
+    return {"mate", say("the directions in which the bearings of the pair carry axial forces are not known"),
+            say("give arrangement = \"back_to_back\" or \"face_to_face\", or carries = \"left\" or \"right\"")};
+  if (in.x == in.mate.x)
+    return {"x", say("both bearings of the pair are at the same position"), say("correct x, or mate.x")};
+  return {"arrangement", say("the arrangement does not show which bearing is the left one"),
+          say("give x and mate.x, as the loads of shaft.design do, or carries in place of arrangement")};
+}
+
+template <class Input>
+constexpr bool direction_agrees(const Input& in) {
+  const Carries found = carried_by_arrangement(in);
+  return in.carries == Carries::unsaid || found == Carries::unsaid || found == in.carries;
+}
+
+template <class Input>
+constexpr auto pair_rules() {
+  return std::array{
+      Rule<Input>{&mate_is_complete<Input>, "mate, carries, arrangement, kind, Y",
+                  "a pair is of two single-row bearings at an angle: give Y, and F_r and Y of the mate"},
+      Rule<Input>{&direction_is_known<Input>, "mate, arrangement, carries, x", "the pair needs its arrangement",
+                  &unknown_direction<Input>},
+      Rule<Input>{
+          &direction_agrees<Input>, "carries, arrangement, x",
+          "the left bearing carries axial forces to the right back to back, to the left face to face: omit carries, "
+          "or correct arrangement"}};
 }
 
 /// Axial loads of the bearing in its direction, in service and at the peak.
@@ -51,7 +132,7 @@ struct Thrust {
 /// The external force presses one bearing; the other has its own induced force, with which the sum is in balance.
 template <class Input>
 Force shared(const Input& in, Force F_r, Force mate_F_r, Force external) {
-  const double direction = in.carries == Carries::left ? -1.0 : 1.0;
+  const double direction = carried(in) == Carries::left ? -1.0 : 1.0;
   return max(in.c_i * F_r / in.Y, in.c_i * mate_F_r / in.mate.Y + direction * external);
 }
 
@@ -63,17 +144,22 @@ Thrust thrust(const Input& in, Tracer& trace) {
             trace.value("F_ax0", is_set(in.F_a0) ? in.F_a0 : none, "at rest or in a shock, as given")};
   }
   const Force mate_F_a = is_set(in.mate.F_a) ? in.mate.F_a : none;
-  const Force F_ax = shared(in, in.F_r, in.mate.F_r, in.F_a + mate_F_a);
+  const double direction = carried(in) == Carries::left ? -1.0 : 1.0;
+  const Force K_a = trace.value("K_a", direction * (in.F_a + mate_F_a),
+                                "external axial force, positive in the direction that this bearing carries");
+  const Force F_i2 = trace.value("F_i2", in.c_i * in.mate.F_r / in.mate.Y,
+                                 "induced by the mating bearing, c_i F_r/Y with its F_r and Y, [SKF-pairs]");
+  STEP(F_i1, in.c_i * in.F_r / in.Y, "induced by this bearing, [SKF-pairs]");
+  STEP(F_ax, max(F_i1, F_i2 + K_a),
+       F_i2 + K_a > F_i1 ? "the mating bearing and the external force press it, load cases of [SKF-pairs]"
+                         : "its own induced force, which holds the balance, load cases of [SKF-pairs]");
   Force F_ax0 = none;
   if (is_set(in.F_r0)) {
     const Force mate_F_r0 = is_set(in.mate.F_r0) ? in.mate.F_r0 : in.mate.F_r;
     const Force F_a0 = is_set(in.F_a0) ? in.F_a0 : in.F_a, mate_F_a0 = is_set(in.mate.F_a0) ? in.mate.F_a0 : mate_F_a;
     F_ax0 = shared(in, in.F_r0, mate_F_r0, F_a0 + mate_F_a0);
   }
-  return {trace.value("F_ax", F_ax,
-                      "own induced force, or that of the mating bearing with the external force: the larger, "
-                      "[LYC-bearings]"),
-          trace.value("F_ax0", F_ax0, "the same at rest or in a shock")};
+  return {F_ax, trace.value("F_ax0", F_ax0, "the same at rest or in a shock")};
 }
 
 }  // namespace loadpath::bearing

@@ -26,6 +26,7 @@ struct Described {
   bool is_beside = false;           // a result that is shown, and never part of a verdict
   const char* same_as_source = "";  // an input: see same_as_that_of_source
   bool is_chosen = false;           // a result that is a choice of the step: a section, a drive
+  bool is_as_given = false;         // a result that is the input of its key where that is given
   bool is_of_body = false;          // an input that belongs to a load of the same record when that is taken singly
   const char* also_called = "";     // an input: other words that a project may write for its key, "n_2"
   const char* shared_as = "";       // see one_of_body
@@ -50,6 +51,12 @@ struct Described {
   [[nodiscard]] constexpr Self load() const {
     Self s = self();
     s.is_load = true;
+    return s;
+  }
+  /// A result that is the input of the same key where that is given: steps that refer to each other take the input.
+  [[nodiscard]] constexpr Self as_given() const {
+    Self s = self();
+    s.is_as_given = true;
     return s;
   }
   /// A result that is the choice made by the step, shown as the size of the part: the lightest section, the drive.

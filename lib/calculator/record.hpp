@@ -46,6 +46,7 @@ struct FieldInfo {
   bool is_of_body = false;
   const char* shared_as = "";
   bool is_chosen = false;
+  bool is_as_given = false;
   bool positional = false;  // group, list of groups: may be written as an array
 
   // quantity

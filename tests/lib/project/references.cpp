@@ -104,6 +104,21 @@ TEST_SUITE("references") {
     CHECK_MESSAGE(contains(circle.messages(), "a.section takes b.section (line "), circle.messages());
   }
 
+  TEST_CASE("two bearings take Y of each other: a factor of the row is known before either is solved") {
+    const auto one = [](const std::string& name, const std::string& row, const std::string& F_r,
+                        const std::string& mate) {
+      return "[" + name + "]\ncalculator = \"bearing.rolling\"\nbearing = \"" + row + "\"\nn = \"900 rpm\"\nF_r = \"" +
+             F_r + " kN\"\nmate = { " + mate + " }\ncarries = \"" + name + "\"\n";
+    };
+    const std::string left = one("left", "30208", "4", "F_r = \"3 kN\", Y = \"=right.Y\"");
+    const Solved pair(left + one("right", "32308", "3", "F_r = \"4 kN\", Y = \"=left.Y\""));
+    REQUIRE_MESSAGE(!has_errors(pair.issues), pair.messages());
+    CHECK(pair.value("left.F_ax") == doctest::Approx(0.5 * 4000.0 / 1.6));  // Y of 30208 and of 32308 as tabled
+    CHECK(pair.value("right.F_ax") == doctest::Approx(0.5 * 4000.0 / 1.6));
+    const Solved sought(left + one("right", "?", "3", "F_r = \"4 kN\", Y = \"=left.Y\""));
+    CHECK(has_errors(sought.issues));  // no row yet, and so no Y
+  }
+
   TEST_CASE("the first row that passes is found, and what its forerunner fails by") {
     const Solved found("[pick]\n" + bar + "section = \"?\"\nmaterial = \"S235JR\"\n");
     REQUIRE_MESSAGE(!has_errors(found.issues), found.messages());

@@ -317,8 +317,9 @@ std::optional<Value> PreparedStep::value_beforehand(const std::string& path, boo
   const Reading& reading = input().reading;
   const auto is_it = [&](const auto& entry) { return entry.path == path; };
   const Leaf leaf = find_leaf(reading.record, path);
-  if (find_field_at(calculator.result->fields, path) != nullptr || !leaf || !leaf.field->is_number() ||
-      leaf.field->takes_whole() || is_more_than_number(calculator, *leaf.field))
+  const FieldInfo* const result = find_field_at(calculator.result->fields, path);
+  if ((result != nullptr && !result->is_as_given) || !leaf || !leaf.field->is_number() || leaf.field->takes_whole() ||
+      is_more_than_number(calculator, *leaf.field))
     return std::nullopt;
   const bool varies = std::any_of(reading.varied.begin(), reading.varied.end(), is_it);
   if ((varies && settled) || std::any_of(reading.searches.begin(), reading.searches.end(), is_it)) return std::nullopt;

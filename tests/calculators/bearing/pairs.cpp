@@ -1,0 +1,101 @@
+// Two bearings at an angle that share the axial force of their shaft.
+#include "calculators/bearing/rolling.hpp"
+#include "tests/calculators/evaluated.hpp"
+#include "tests/found/modes.hpp"
+#include "tests/lib/project/says.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace loadpath;
+using namespace loadpath::test;
+using bearing::Arrangement;
+using bearing::Carries;
+using bearing::Kind;
+using bearing::Rolling;
+
+constexpr auto solve = evaluated<Rolling>;
+
+/// Radial loads in kN and factors of the left and the right bearing.
+struct Pair {
+  double F_rl, Y_l, F_rr, Y_r;
+};
+
+/// A bearing of the pair, 100 mm and 300 mm from the end of the shaft.
+Rolling::Input one_of(const Pair& p, bool left, Arrangement arrangement, double K_a) {
+  Rolling::Input in;
+  in.kind = Kind::tapered_roller, in.C = 100.0 * kN, in.n = 300.0 * rpm, in.e = 0.4;
+  in.Y = left ? p.Y_l : p.Y_r, in.F_r = (left ? p.F_rl : p.F_rr) * kN;
+  in.mate.Y = left ? p.Y_r : p.Y_l, in.mate.F_r = (left ? p.F_rr : p.F_rl) * kN;
+  in.x = (left ? 100.0 : 300.0) * mm, in.mate.x = (left ? 300.0 : 100.0) * mm;
+  in.arrangement = arrangement, in.F_a = K_a * kN;
+  return in;
+}
+
+/// Axial loads of A and B in kN.
+using Loads = std::array<double, 2>;
+
+/// The load cases as [SKF-pairs] prints them: in cases 1 the external force is directed to B, in cases 2 to A.
+Loads load_cases(double F_A, double Y_A, double F_B, double Y_B, double K_a, bool to_B) {
+  const double A = 0.5 * F_A / Y_A, B = 0.5 * F_B / Y_B;
+  if (to_B) return A >= B || K_a >= B - A ? Loads{A, A + K_a} : Loads{B - K_a, B};
+  return A <= B || K_a >= A - B ? Loads{B + K_a, B} : Loads{A, A - K_a};
+}
+
+}  // namespace
+
+TEST_SUITE("rolling bearing") {
+  TEST_CASE("[Bhandari-15] example 15.9, load case 2a: 10 kN and 20 kN radially, 10 kN along the shaft to the first") {
+    const Pair loads{10.0, 1.5, 20.0, 1.5};  // 30212 of its table: Y = 1.5, e = 0.4
+    const auto A = solve(one_of(loads, true, Arrangement::back_to_back, 10.0));
+    const auto B = solve(one_of(loads, false, Arrangement::back_to_back, 10.0));
+    CHECK(in_si(B.F_ax) == doctest::Approx(20000.0 / 3.0));            // 0.5 F_rB/Y
+    CHECK(in_si(A.F_ax) == doctest::Approx(10000.0 + 20000.0 / 3.0));  // F_aB + K_a
+    CHECK(in_si(A.P) == doctest::Approx(0.4 * 10000.0 + 1.5 * (10000.0 + 20000.0 / 3.0)));
+    CHECK(in_si(B.P) == doctest::Approx(20000.0));  // 0.333 is within e
+  }
+
+  TEST_CASE("the axial loads of a pair are those of the table of load cases, in both arrangements and directions") {
+    for (const Pair& p : {Pair{8.0, 1.6, 3.0, 1.6}, Pair{3.0, 1.6, 8.0, 1.6}, Pair{5.0, 0.57, 5.0, 1.7}}) {
+      for (const double K_a : {-9.0, -1.0, 0.0, 0.5, 1.5, 9.0}) {
+        for (const Arrangement arrangement : {Arrangement::back_to_back, Arrangement::face_to_face}) {
+          const double left = in_si(solve(one_of(p, true, arrangement, K_a)).F_ax) / 1e3;
+          const double right = in_si(solve(one_of(p, false, arrangement, K_a)).F_ax) / 1e3;
+          // Back to back the left bearing carries what is directed to the right.
+          const bool to_left_bearing = (K_a > 0.0) == (arrangement == Arrangement::back_to_back);
+          const Loads printed = load_cases(p.F_rl, p.Y_l, p.F_rr, p.Y_r, std::abs(K_a), !to_left_bearing);
+          CHECK(left == doctest::Approx(printed[0]));
+          CHECK(right == doctest::Approx(printed[1]));
+        }
+      }
+    }
+  }
+
+  TEST_CASE("the arrangement gives the direction that each bearing carries, by the positions of both") {
+    const Pair p{8.0, 1.6, 3.0, 1.6};
+    for (const bool left : {true, false}) {
+      CHECK(bearing::carried(one_of(p, left, Arrangement::back_to_back, 0.0)) ==
+            (left ? Carries::right : Carries::left));
+      CHECK(bearing::carried(one_of(p, left, Arrangement::face_to_face, 0.0)) ==
+            (left ? Carries::left : Carries::right));
+    }
+  }
+
+  TEST_CASE("what a pair needs, or contradicts, is said with its remedy") {
+    const std::string bare =
+        "[b]\ncalculator = \"bearing.rolling\"\nbearing = \"30208\"\nF_r = \"3 kN\"\nn = \"9 rpm\"\n";
+    const std::string mate = "mate = { F_r = \"2 kN\", Y = 1.6 }\n";
+    const std::string placed = "x = \"10 mm\"\nmate = { F_r = \"2 kN\", Y = 1.6, x = \"90 mm\" }\n";
+    CHECK(says(bare + "arrangement = \"face_to_face\"", "a pair is of two single-row bearings"));
+    CHECK(says(bare + mate + "arrangement = \"face_to_face\"", "give x and mate.x"));
+    CHECK(says(bare + placed + "arrangement = \"face_to_face\"\ncarries = \"right\"", "omit carries"));
+    CHECK(mode_of(solved_as_found(bare + placed + "arrangement = \"face_to_face\""), "b", "mate") == "pass");
+    CHECK(mode_of(solved_as_found(bare + mate + "arrangement = \"face_to_face\"\ncarries = \"left\""), "b", "mate") ==
+          "pass");
+  }
+}

@@ -279,6 +279,7 @@ Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
   at_rest(in, shared, F_rX, F_aX, r, trace);
   axial(in, shared, k_max, F_rX, F_aX, r, trace);
   by_itself(in, shared, F_rK, F_aK, r, trace);
+  pressure_centre(in, r, trace);
   seat(in, r, trace);
   return r;
 }

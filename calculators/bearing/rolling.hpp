@@ -10,6 +10,7 @@
 #pragma once
 
 #include "calculators/bearing/rolling_bounds.hpp"
+#include "calculators/bearing/rolling_centre.hpp"
 #include "calculators/bearing/rolling_kind.hpp"
 #include "calculators/bearing/rolling_life.hpp"
 #include "calculators/bearing/rolling_mate.hpp"
@@ -96,7 +97,7 @@ s_0 = 2
     Mate mate;
     Arrangement arrangement = Arrangement::unsaid;
     Carries carries = Carries::unsaid;
-    Length x = unset<Length>;
+    Length x = unset<Length>, a = unset<Length>, s_p = unset<Length>;
     double c_i = 0.5;
   };
   /// A bearing that locates the shaft and lets it slip.
@@ -217,7 +218,8 @@ s_0 = 2
                  .may_be_missing(),
              Choice{&Input::holds, "holds", "loads that the shaft needs the bearing for: radial, or radial and axial"}
                  .may_be_missing()},
-      life_inputs<Input>(), pair_inputs<Input>(), dimension_inputs<Input>(), seat_inputs<Input>());
+      life_inputs<Input>(), pair_inputs<Input>(), centre_inputs<Input>(), dimension_inputs<Input>(),
+      seat_inputs<Input>());
 
   struct Stage {
     Name name;
@@ -250,6 +252,8 @@ s_0 = 2
           F_ro = unset<Force>;
     double u_L = unset<double>, x_P = unset<double>, u_0 = unset<double>, x_min = unset<double>, u_n = unset<double>;
     double u_a = unset<double>, x_i = unset<double>;
+    Length s_c = unset<Length>;
+    double x_c = unset<double>;
     double x_d = unset<double>, x_B = unset<double>, x_r = unset<double>, x_a = unset<double>;
     List<Stage, most_blocks> blocks;
   };
@@ -297,7 +301,7 @@ s_0 = 2
               .limit(1 - 1e-6, unbounded)
               .where_it_applies(),
           ListField{&Result::blocks, "blocks", "the blocks"}},
-      seat_results<Result>());
+      centre_results<Result>(), seat_results<Result>());
 
   static constexpr auto rules = join(
       std::array{
@@ -368,6 +372,10 @@ s_0 = 2
       Mode<Input>{"ribs", "axial load limit (ribs, groove edges)", &has_axial_bound}.judged_by("u_a").wanting(
           "F_a_adm"),
       Mode<Input>{"mate", "induced axial force", &runs_at_an_angle}.judged_by("x_i").of_shape(),
+      Mode<Input>{"pressure_centre", "radial load at the pressure centre", &supports_at_an_angle<Input>}
+          .judged_by("x_c")
+          .wanting("a")
+          .of_shape(),
       Mode<Input>{"seat", "bearing on its seat (bore, width, fillet, shoulder)", &sits_on_a_shaft<Input>}
           .judged_by("x_d, x_B, x_r, x_a")
           .wanting("d")

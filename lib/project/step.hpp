@@ -162,9 +162,12 @@ class Step {
   virtual void solve_without(const std::set<std::string>& inputs, const Known& known);
   /// The value at a path, after `solve`; nothing if there is none (an element that the list does not have).
   [[nodiscard]] virtual const Value* value(const std::string& path) const;
-  /// The value of an input before `solve`; nothing if that is not certain. `of` gives inputs of other steps.
-  /// `settled`: not one of several values either.
-  using Beforehand = std::function<std::optional<Value>(const std::string& path)>;
+  /// Other steps before `solve`: the value of an input, and whether a record may contain a path.
+  struct Beforehand {
+    std::function<std::optional<Value>(const std::string& path)> value;
+    std::function<bool(const std::string& path)> may_have;
+  };
+  /// The value of an input before `solve`; nothing if that is not certain. `settled`: not one of several values either.
   [[nodiscard]] virtual std::optional<Value> value_beforehand(const std::string& path, bool settled,
                                                               const Beforehand& of) const;
   /// The choice, name or row at a path, after `solve`; empty if there is none.

@@ -45,7 +45,7 @@ class Movement {
     r.M_max = r.T_max = none, r.v_max = 0.0 * mm, r.theta_max = 0.0 * deg_per_m.one, r.phi = 0.0;
     for (const Support& support : in.supports) {
       Carried c;
-      c.name = support.name, c.x = support.x, c.holds = support.holds, c.n = r.n;
+      c.name = support.name, c.x = support.x, c.s_p = support.s_p, c.holds = support.holds, c.n = r.n;
       const BearingSeat seat = bearing_seat(in, support);
       c.d_s = seat.d, c.l_s = seat.l, c.r_f = seat.r_f, c.d_f = seat.d_f;
       c.F_r0 = -1.0 * N.one, c.F_a0 = 0.0 * N.one, c.beta = 0.0;

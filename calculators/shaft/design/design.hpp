@@ -352,7 +352,7 @@ r_T = 0
       Mode<Input>{"bearings", "bearing life and static safety factor", &bears_bearings}
           .left_to("bearing.rolling",
                    "bearings.fatigue, bearings.static, bearings.axial, bearings.radial, bearings.ribs, bearings.mate, "
-                   "bearings.skidding, bearings.speed")
+                   "bearings.pressure_centre, bearings.skidding, bearings.speed")
           .in_service(),
       Mode<Input>{"weight", "bending due to self-weight", &weighed}.wanting("g_angle").special(),
       Mode<Input>{"wall", "local buckling of thin walls", &thin_wall},

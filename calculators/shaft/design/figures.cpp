@@ -79,7 +79,7 @@ figure::Shaft side(const Design::Input& in, const Loaded& loaded, std::size_t po
     const Support& support = in.supports[i];
     const std::string name = support.name.empty() ? std::to_string(i + 1) : std::string(support.name.view());
     const double reaction = std::hypot(loaded.x.reactions[i], loaded.y.reactions[i]);
-    shaft.bearings.push_back({in_si(support.x), support.holds == Holds::both, name, reaction});
+    shaft.bearings.push_back({in_si(pressure_centre(support)), support.holds == Holds::both, name, reaction});
   }
   return shaft;
 }

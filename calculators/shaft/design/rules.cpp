@@ -52,6 +52,16 @@ bool find_place(const Input& in, const Found& found) {
   return in_list("supports", in.supports) || in_list("seats", in.seats) || in_list("notches", in.notches);
 }
 
+/// The first bearing with its pressure centre beyond an end of the shaft; null if none.
+const Support* first_floating(const Input& in) {
+  const Length slack = one_place * length_of(in);
+  const auto found = std::find_if(in.supports.begin(), in.supports.end(), [&](const Support& support) {
+    const Length x = pressure_centre(support);
+    return x < -slack || is_off(in, x);
+  });
+  return found == in.supports.end() ? nullptr : &*found;
+}
+
 /// The sum of all torques where it is largest.
 Moment balance(const Input& in) {
   Moment most = 0.0 * N_m.one;
@@ -124,7 +134,8 @@ BodyFault fault_of_body(const Seat& s) {
 bool Design::held(const Input& in) {
   for (std::size_t i = 0; i < in.supports.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (abs(in.supports[i].x - in.supports[k].x) <= apart * length_of(in)) return false;  // true if it is unknown
+      const Length between = pressure_centre(in.supports[i]) - pressure_centre(in.supports[k]);
+      if (abs(between) <= apart * length_of(in)) return false;  // true if it is unknown
     }
   }
   return in.supports.size() > 1;
@@ -136,11 +147,16 @@ bool Design::stiff_enough(const Input& in) {
 }
 
 bool Design::on_shaft(const Input& in) {
-  return !find_place(in, [&](const auto&, Length x) { return is_off(in, x); });
+  return !find_place(in, [&](const auto&, Length x) { return is_off(in, x); }) && first_floating(in) == nullptr;
 }
 
 FieldFault Design::off_shaft(const Input& in) {
   FieldFault fault;
+  if (const Support* const support = first_floating(in); support != nullptr && !is_off(in, support->x)) {
+    return {place_of("supports", in.supports, static_cast<std::size_t>(support - in.supports.data()), "s_p"),
+            say("the pressure centre at {1} is beyond the end of the shaft", format(pressure_centre(*support))),
+            say("correct s_p, or lengthen the end of the shaft at the same diameter up to the pressure centre")};
+  }
   find_place(in, [&](const auto& key, Length x) {
     if (!is_off(in, x)) return false;
     fault = {key(), say("{1} is beyond the end of the shaft at {2}", format(x), format(length_of(in))),

@@ -81,6 +81,8 @@ Changes changes_of(const Input& in, const Stations& stations, const Turn& turn) 
   }
   for (const Seat& seat : in.seats) gathering.add(seat.x, seat.name);
   for (const Support& support : in.supports) gathering.add(support.x, support.name);
+  for (const Support& support : in.supports)
+    gathering.add(pressure_centre(support), told_apart<7>(support.name, "_centre"));
   Length x = 0.0 * mm;
   gathering.add(x, {});
   for (const Piece& piece : in.pieces) gathering.add(x += piece.l, {});

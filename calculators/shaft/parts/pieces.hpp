@@ -39,6 +39,7 @@ struct Support {
   Stiffness k = unset<Stiffness>;
   double beta_adm = unset<double>;
   On on = On::cylinder;
+  Length s_p = 0.0 * mm;
   static constexpr Fields fields{
       NameField{&Support::name, "name", "name of the bearing"}.may_be_missing(),
       Field{&Support::x, "x", mm, "position of the centre, from the left end of the shaft"}.at_least(0),
@@ -51,8 +52,15 @@ struct Support {
           .positive()
           .usually(0.005, 5)
           .customarily_at_most(0.25)
-          .may_be_missing()};
+          .may_be_missing(),
+      Field{&Support::s_p, "s_p", mm,
+            "offset of the pressure centre, where the reaction acts, from the centre x, positive to the right; "
+            "single-row tapered roller and angular contact ball bearings: a - B/2, outward back to back, inward face "
+            "to face"}};
 };
+
+/// Where the reaction of a bearing acts: at its pressure centre.
+inline Length pressure_centre(const Support& support) { return support.x + support.s_p; }
 
 enum class Way { takes, drives, balances };
 /// Whether what sits there is one piece with the shaft.

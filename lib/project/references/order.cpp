@@ -186,6 +186,13 @@ namespace {
 
 constexpr int deepest = 32;  // inputs that refer to one another
 
+/// Whether a step has the path, or may have it: results of a mechanism depend on its model.
+bool may_have(const Project& project, const std::string& path) {
+  const auto [name, rest] = split_step(path);
+  const Step* const step = project.find(name);
+  return step == nullptr || step->input().calculator->result == nullptr || step->field(rest) != nullptr;
+}
+
 std::optional<Value> value_of_input(const Project& project, const std::string& path, int depth) {
   const auto [name, rest] = split_step(path);
   const Step* const step = project.find(name);
@@ -194,8 +201,9 @@ std::optional<Value> value_of_input(const Project& project, const std::string& p
     return shared == nullptr ? std::nullopt : std::optional(*shared);
   }
   if (depth == deepest) return std::nullopt;
+  const auto value = [&](const std::string& other) { return value_of_input(project, other, depth + 1); };
   return step->value_beforehand(rest, depth > 0,
-                                [&](const std::string& other) { return value_of_input(project, other, depth + 1); });
+                                {value, [&](const std::string& other) { return may_have(project, other); }});
 }
 
 }  // namespace

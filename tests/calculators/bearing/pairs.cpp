@@ -3,9 +3,11 @@
 #include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/says.hpp"
+#include "tests/lib/project/solved.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -97,5 +99,50 @@ TEST_SUITE("rolling bearing") {
     CHECK(mode_of(solved_as_found(bare + placed + "arrangement = \"face_to_face\""), "b", "mate") == "pass");
     CHECK(mode_of(solved_as_found(bare + mate + "arrangement = \"face_to_face\"\ncarries = \"left\""), "b", "mate") ==
           "pass");
+  }
+
+  TEST_CASE("two bearings of a shaft take Y of each other, and the shaft takes their pressure centres") {
+    const auto of = [](const std::string& name, const std::string& other, const std::string& row) {
+      return "[" + name + "]\ncalculator = \"bearing.rolling\"\nload = \"=shaft.bearings." + name + "\"\nbearing = \"" +
+             row + "\"\narrangement = \"face_to_face\"\nmate = { load = \"=shaft.bearings." + other +
+             "\", Y = \"=" + other + ".Y\" }\n";
+    };
+    const auto on_shaft = [&](const std::string& left, const std::string& right) {
+      return "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\n"
+             "pieces = [{ l = \"400 mm\", d = \"40 mm\" }]\n"
+             "supports = [{ name = \"left\", x = \"100 mm\", holds = \"both\"" +
+             left + " }, { name = \"right\", x = \"300 mm\"" + right +
+             " }]\nseats = [{ x = \"200 mm\", F_x = \"8 kN\", F_z = \"1 kN\", n = \"900 rpm\" },"
+             " { x = \"350 mm\", F_x = \"1 kN\" }]\nS_F = 1.5\nR_z = \"6.3 um\"\n" +
+             of("left", "right", "30208") + of("right", "left", "32308");
+    };
+    const Solved pair(on_shaft(", s_p = \"=left.a - left.B/2\"", ", s_p = \"=right.B/2 - right.a\""));
+    REQUIRE_MESSAGE(!has_errors(pair.issues), pair.messages());
+    // Pressure centres 16 - 9.875 and 23 - 17.625 mm inside: supports at 106.125 and 294.625 mm.
+    const double between = 294.625 - 106.125;
+    const double F_right = (8.0 * (200.0 - 106.125) + (350.0 - 106.125)) / between, F_left = 9.0 - F_right;
+    CHECK(pair.value("shaft.bearings.right.F_r") == doctest::Approx(1e3 * F_right));
+    CHECK(pair.value("shaft.bearings.left.F_r") == doctest::Approx(1e3 * F_left));
+    // Face to face the right bearing carries the force to the right; Y as tabled.
+    const double induced_left = 0.5 * F_left / 1.6, induced_right = 0.5 * F_right / 1.7;
+    CHECK(pair.value("right.F_ax") == doctest::Approx(1e3 * std::max(induced_right, induced_left + 1.0)));
+    CHECK(pair.value("left.F_ax") == doctest::Approx(1e3 * std::max(induced_left, induced_right - 1.0)));
+    CHECK(pair.value("left.s_c") == doctest::Approx(6.125e-3));
+    CHECK(pair.value("right.s_c") == doctest::Approx(-5.375e-3));
+    CHECK(mode_of(pair.project, "left", "pressure_centre") == "pass");
+    CHECK(mode_of(pair.project, "right", "pressure_centre") == "pass");
+    const Solved outside(on_shaft(", s_p = \"=left.B/2 - left.a\"", ""));
+    CHECK(mode_of(outside.project, "left", "pressure_centre") == "not-covered");
+    CHECK(mode_of(outside.project, "right", "pressure_centre") == "not-covered");
+  }
+
+  TEST_CASE("a pressure centre beyond the shaft is refused with its remedy") {
+    const std::string shaft =
+        "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\n"
+        "pieces = [{ l = \"400 mm\", d = \"40 mm\" }]\nseats = [{ x = \"200 mm\", F_x = \"8 kN\" }]\nS_F = 1.5\n";
+    CHECK(says(shaft + "supports = [{ x = \"10 mm\", s_p = \"-20 mm\" }, { x = \"300 mm\" }]\n",
+               "the pressure centre at -10 mm is beyond the end of the shaft"));
+    CHECK(says(shaft + "supports = [{ x = \"10 mm\" }, { x = \"390 mm\", s_p = \"20 mm\" }]\n",
+               "lengthen the end of the shaft"));
   }
 }

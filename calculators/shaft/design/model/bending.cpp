@@ -20,7 +20,10 @@ constexpr double parts = 120.0;  // parts of the length, at least: deflection an
 beam::Row<double> named_places(const Input& in, const Weakest& weakest) {
   beam::Row<double> x{0.0};
   for (const Piece& piece : in.pieces) x.push_back(x.back() + in_si(piece.l));
-  for (const Support& support : in.supports) x.push_back(in_si(support.x));
+  for (const Support& support : in.supports) {
+    x.push_back(in_si(support.x));
+    x.push_back(in_si(pressure_centre(support)));
+  }
   for (const Seat& seat : in.seats) x.push_back(in_si(seat.x));
   for (const Notched& notch : in.notches) {
     x.push_back(in_si(notch.x));
@@ -44,7 +47,7 @@ std::optional<beam::Beam> beam_of(const Input& in, const Stations& stations, con
   for (const Stretch& stretch : stretches) spans.push_back(stretch.bends);
   beam::OfSupports<beam::Support> supports;
   for (const Support& support : in.supports)
-    supports.push_back({stations.at(support.x), is_set(support.k) ? in_si(support.k) : beam::rigid});
+    supports.push_back({stations.at(pressure_centre(support)), is_set(support.k) ? in_si(support.k) : beam::rigid});
   return beam::Beam::of(spans, supports);
 }
 

@@ -6,7 +6,7 @@
 
 namespace loadpath::shaft {
 
-inline constexpr std::size_t most_places = 3 * most_pieces + 1 + most_supports + most_seats + 2 * most_notches;
+inline constexpr std::size_t most_places = 3 * most_pieces + 1 + 2 * most_supports + most_seats + 2 * most_notches;
 
 /// Load of a bearing, an input record of bearing calculators.
 struct Carried {
@@ -18,6 +18,7 @@ struct Carried {
   AngularSpeed n = unset<AngularSpeed>;
   double beta = unset<double>, u_beta = unset<double>;
   Length d_s = unset<Length>, l_s = unset<Length>, r_f = unset<Length>, d_f = unset<Length>;
+  Length s_p = unset<Length>;
   static constexpr Fields fields{
       NameField{&Carried::name, "name", "name of the bearing"},
       Field{&Carried::x, "x", mm, "position"},
@@ -46,7 +47,8 @@ struct Carried {
       Field{&Carried::d_s, "d_s", mm, "shaft diameter at the bearing"},
       Field{&Carried::l_s, "l_s", mm, "maximum ring width that fits the shaft segment"},
       Field{&Carried::r_f, "r_f", mm, "fillet radius of the adjacent shoulder"},
-      Field{&Carried::d_f, "d_f", mm, "diameter of this shoulder"}};
+      Field{&Carried::d_f, "d_f", mm, "diameter of this shoulder"},
+      Field{&Carried::s_p, "s_p", mm, "offset of the point where the reaction acts, positive to the right"}};
 };
 
 /// How the shaft moves where something sits on it.

@@ -303,11 +303,22 @@ bool is_more_than_number(const Calculator& calculator, const FieldInfo& field) {
 std::optional<Value> evaluate_beforehand(const Operand& operand, const Step::Beforehand& of) {
   std::map<std::string, Value> values;
   for (const auto& reference : operand.expression.references()) {
-    auto value = of(reference.path);
+    auto value = of.value(reference.path);
     if (!value) return std::nullopt;
     values[reference.path] = std::move(*value);
   }
   return operand.expression.evaluate([&](const std::string& path) -> const Value& { return values.at(path); });
+}
+
+/// Whether a record or a list of another step, which the step has yet to take, may give this input.
+bool may_be_filled(const Reading& reading, const std::string& path, const Step::Beforehand& of) {
+  return std::any_of(reading.taken.begin(), reading.taken.end(), [&](const Taken& taken) {
+    if (taken.field == nullptr || taken.field->is_word()) return false;
+    if (taken.field->type == FieldInfo::Type::list) return path.starts_with(taken.path);
+    const bool beside = taken.field->type == FieldInfo::Type::record;
+    const std::string base = beside ? taken.path.substr(0, taken.path.rfind('.') + 1) : taken.path + ".";
+    return path.starts_with(base) && of.may_have(taken.source + "." + path.substr(base.size()));
+  });
 }
 
 }  // namespace
@@ -326,9 +337,7 @@ std::optional<Value> PreparedStep::value_beforehand(const std::string& path, boo
   const auto operand = std::find_if(reading.operands.begin(), reading.operands.end(), is_it);
   if (operand != reading.operands.end()) return operand->of_record ? std::nullopt : evaluate_beforehand(*operand, of);
   const bool typed = reading.typed.contains(path);
-  const auto is_record = [](const Taken& taken) { return taken.field != nullptr && !taken.field->is_word(); };
-  if (!typed && (leaf.field->sought_unasked || std::any_of(reading.taken.begin(), reading.taken.end(), is_record)))
-    return std::nullopt;
+  if (!typed && (leaf.field->sought_unasked || may_be_filled(reading, path, of))) return std::nullopt;
   if (!typed && names_row_for(path)) return row_beforehand(*leaf.field, of);
   if (std::isnan(leaf.get())) return std::nullopt;
   return Value{{leaf.field->dimension, nullptr}, {leaf.get()}};

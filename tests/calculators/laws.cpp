@@ -303,12 +303,19 @@ const Law motion[] = {
 };
 
 const char* const radial = "f_0 = \nF_a = ";
+const char* const pair =
+    "f_0 = \nkind = \"tapered_roller\"\ne = 0.37\nY = 1.6\nY_0 = 0.9\ncarries = \"left\"\n"
+    "mate = { F_r = \"6 kN\", Y = 1.4 }";
+const char* const pair_of_double_load =
+    "f_0 = \nkind = \"tapered_roller\"\ne = 0.37\nY = 1.6\nY_0 = 0.9\ncarries = \"left\"\nF_r = \"5 kN\"\n"
+    "F_a = \"2 kN\"\nmate = { F_r = \"12 kN\", Y = 1.4 }";
 
 const Law bearings[] = {
     {"bearing.rolling", radial, "f_0 = \nF_a = \nF_r = \"1.25 kN\"", "L_10", 8},
     {"bearing.rolling", "", R"(n = "1800 rpm")", "L_10h", 0.5},
     {"bearing.rolling", radial, "f_0 = \nF_a = \nK_A = 2", "C_req", 2},
     {"bearing.rolling", "", R"(C = "58.2 kN")", "L_nh", 8},
+    {"bearing.rolling", pair, pair_of_double_load, "F_ax", 2},
 };
 
 const Law keys[] = {

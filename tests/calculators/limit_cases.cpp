@@ -795,6 +795,16 @@ const Case bearings[] = {
     {"bearing.rolling", "f_0 = \nF_a = \nblocks = [{ q = 0.25 }, { q = 0.75 }]", "P_m", 2500.0},
     {"bearing.rolling", "f_0 = \nF_a = \nblocks = [{ q = 0.5 }, { q = 0.5, n = \"0 rpm\" }]", "n_m", 15 * pi},
     {"bearing.rolling", "kind = \"thrust_roller\"\nf_0 = \nF_r = \"0 N\"", "P_0", 1000.0},
+    // without radial load on the mate, and with the external force away from it, the bearing has its own induced force
+    {"bearing.rolling",
+     "kind = \"tapered_roller\"\nf_0 = \ne = 0.37\nY = 1.6\nY_0 = 0.9\nF_a = \"-9 kN\"\ncarries = \"right\"\n"
+     "mate = { F_r = \"0 N\", Y = 1.6 }",
+     "F_ax", 0.5 * 2500.0 / 1.6},
+    // two alike under the same radial load and no other share it
+    {"bearing.rolling",
+     "kind = \"tapered_roller\"\nf_0 = \ne = 0.37\nY = 1.6\nY_0 = 0.9\nF_a = \"0 N\"\ncarries = \"left\"\n"
+     "mate = { F_r = \"2.5 kN\", Y = 1.6 }",
+     "F_ax", 0.5 * 2500.0 / 1.6},
 };
 
 const Case keys[] = {

@@ -507,6 +507,9 @@ const char* const radial = "f_0 = \nF_a = ";
 const char* const radial_by_maker = "f_0 = \nF_a = \nP_min = \"290.5 N\"";
 const char* const tapered = "f_0 = \nkind = \"tapered_roller\"\ne = 0.37\nY = 1.6\nY_0 = 0.9";  // F_i = 0.781 kN
 
+// s_c = 16 - 19.75/2 = 6.125 mm, and a tenth of a more
+const char* const at_centre =
+    "f_0 = \nkind = \"tapered_roller\"\ne = 0.37\nY = 1.6\nY_0 = 0.9\na = \"16 mm\"\nB = \"19.75 mm\"";
 const char* const on_seat =
     "d = \"40 mm\"\nB = \"18 mm\"\nr_s = \"1.1 mm\"\nd_a = \"47 mm\"\nd_s = \"40 mm\"";  // of a bearing 6208
 
@@ -523,6 +526,7 @@ const Side bearings[] = {
     {"bearing.rolling", "x_i", outside, "F_a", R"("0.79 kN")", R"("0.78 kN")", tapered},
     {"bearing.rolling", "x_k", outside, "nu", R"("2.06 mm^2/s")", R"("2.04 mm^2/s")",
      "d = \"40 mm\"\nD = \"80 mm\"\ne_C = 0.5\nC_u = \"0.8 kN\""},
+    {"bearing.rolling", "x_c", outside, "s_p", R"("7.7 mm")", R"("7.8 mm")", at_centre},
     {"bearing.rolling", "x_d", over, "d_s", R"("40 mm")", R"("40.01 mm")", on_seat},
     {"bearing.rolling", "x_B", over, "l_s", R"("18 mm")", R"("17.9 mm")", on_seat},
     {"bearing.rolling", "x_r", over, "r_f", R"("1.1 mm")", R"("1.2 mm")", on_seat},

@@ -61,6 +61,22 @@ TEST_SUITE("found unlinked steps") {
     CHECK(state("right") == "not-judged");
   }
 
+  TEST_CASE("of two mates with an arrangement, both have the same one") {
+    const auto arranged = [](const std::string& name, const std::string& way, const std::string& loads) {
+      return "[" + name + "]\ncalculator = \"bearing.rolling\"\nbearing = \"30208\"\nF_a = \"2 kN\"\narrangement = \"" +
+             way + "\"\nn = \"900 rpm\"\nL_h = \"10000 h\"\ns_0 = 2\n" + loads;
+    };
+    const std::string of_left = "F_r = \"4 kN\"\nx = \"50 mm\"\nmate = { F_r = \"3 kN\", Y = 1.6, x = \"250 mm\" }\n\n";
+    const std::string of_right =
+        "F_r = \"3 kN\"\nx = \"250 mm\"\nmate = { F_r = \"4 kN\", Y = 1.6, x = \"50 mm\" }\n\n";
+    const auto state = [&](const std::string& other) {
+      return mode_of(solved_as_found(arranged("l", "back_to_back", of_left) + arranged("r", other, of_right)), "l",
+                     "fatigue");
+    };
+    CHECK(state("back_to_back") == "pass");
+    CHECK(state("face_to_face") == "not-judged");
+  }
+
   TEST_CASE("the load of the mate is the one that the mate has") {
     const auto state = [](const std::string& of_mate) {
       return mode_of(solved_as_found(bearing("l", "right", "4 kN", "3 kN") + bearing("r", "left", "3 kN", of_mate)),

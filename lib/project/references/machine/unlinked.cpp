@@ -39,11 +39,25 @@ void compare_load_of_mate(const Step& step, const Project& project, std::vector<
                                    format_quantity(typed_value(*mate, project, "F_r"), "kN", 4))});
 }
 
+std::string word_at(const Step& step, const char* path) {
+  const Leaf leaf = find_leaf(step.input().reading.record, path);
+  return leaf ? word_of(leaf) : std::string();
+}
+
+/// "left", "right": as given, or by the arrangement of the pair and the positions of both; empty if unknown.
+std::string direction_carried(const Step& step, const Project& project) {
+  if (const std::string given = word_at(step, "carries"); !given.empty()) return given;
+  const std::string arrangement = word_at(step, "arrangement");
+  const double x = own_value(step, project, "x"), of_mate = own_value(step, project, "mate.x");
+  if (arrangement.empty() || !(std::abs(x - of_mate) > 0.0)) return {};
+  return (x < of_mate) == (arrangement == "back_to_back") ? "right" : "left";
+}
+
 /// The two bearings of a pair carry the axial force in opposite directions. Several pairs may have the same loads.
 void compare_mate(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
-  const Leaf carries = find_leaf(step.input().reading.record, "carries");
+  const std::string carried = direction_carried(step, project);
   const double F_r = typed_value(step, project, "F_r"), of_mate = typed_value(step, project, "mate.F_r");
-  if (!carries || std::isnan(of_mate)) return;
+  if (carried.empty() || std::isnan(of_mate)) return;
   std::vector<const Step*> mates;
   for (const auto& other : project.steps) {
     if (other.get() == &step || other->input().calculator != step.input().calculator) continue;
@@ -51,14 +65,12 @@ void compare_mate(const Step& step, const Project& project, std::vector<ReducedL
         is_alike(typed_value(*other, project, "mate.F_r"), F_r))
       mates.push_back(other.get());
   }
-  const auto carries_same = [&](const Step* mate) {
-    return find_leaf(mate->input().reading.record, "carries").get() == carries.get();
-  };
+  const auto carries_same = [&](const Step* mate) { return direction_carried(*mate, project) == carried; };
   if (mates.empty() || !std::ranges::all_of(mates, carries_same)) return;
-  found.push_back(
-      {"carries", say("'{1}' carries the axial force in the same direction; the two bearings of a pair carry "
-                      "opposite ones: justify it: because.carries = \"...\"",
-                      mates.front()->name())});
+  const char* const key = word_at(step, "carries").empty() ? "arrangement" : "carries";
+  found.push_back({key, say("'{1}' carries the axial force in the same direction; the two bearings of a pair carry "
+                            "opposite ones: justify it: because.{2} = \"...\"",
+                            mates.front()->name(), key)});
 }
 
 /// A fatigue limit in bending of a stress that is mainly axial: the limit in tension is lower.

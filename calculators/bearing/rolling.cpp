@@ -263,6 +263,7 @@ Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
   const Force F_rK = trace.value("F_rK", F_rd, "load as given"), F_aK = trace.value("F_aK", F_ad, "load as given");
   const Equivalent q = equivalent(in, F_rK, F_aK, trace);
   r.x_f = q.x_f, r.e = q.e, r.Y = q.Y, r.P = q.P;
+  if (has_mate(in) && !is_set(r.Y)) r.Y = trace.value("Y", in.Y, "manufacturer's value");
   Stages all = stages(in, F_rd, F_ad, q, trace);
   double k_max = in.blocks.empty() ? 1.0 : 0.0, k_run = k_max;
   for (const Block& b : in.blocks) {

@@ -27,7 +27,8 @@ constexpr auto centre_results() {
                       "offset of the pressure centre from the centre of the bearing, positive to the right: s_p of the "
                       "support"},
                 Field{&Result::x_c, "x_c", ratio,
-                      "distance of the pressure centre from the supported point / a (limit set by loadpath)"}
+                      "distance of the pressure centre from the supported point / a: give s_c as s_p of the support "
+                      "(limit set by loadpath)"}
                     .limit(0, 0.1, "a, s_p")
                     .where_it_applies()};
 }

@@ -88,8 +88,8 @@ std::vector<terminal::SourceText> with_files_of(const project::Project& project,
   return sources;
 }
 
-int exit_for(const account::Modes& modes) {
-  switch (account::conclude(modes).headline) {
+int exit_for(account::Headline headline) {
+  switch (headline) {
     case account::Headline::pass:
       return passed;
     case account::Headline::incomplete:
@@ -98,6 +98,8 @@ int exit_for(const account::Modes& modes) {
       return not_passed;
   }
 }
+
+int exit_for(const account::Modes& modes) { return exit_for(account::conclude(modes).headline); }
 
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
                    const OutputOptions& asked, report::Detail usual) {

@@ -3,6 +3,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "cli/options.hpp"
+#include "lib/account/conclusion.hpp"
 #include "lib/report/terminal/terminal.hpp"
 
 #include <functional>
@@ -18,6 +19,9 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
 /// The source texts for issues: these, and the further files that the project was read from.
 std::vector<terminal::SourceText> with_files_of(const project::Project& project,
                                                 std::vector<terminal::SourceText> sources);
+
+/// The exit code of a headline.
+int exit_for(account::Headline headline);
 
 /// The exit code that failure modes amount to.
 int exit_for(const account::Modes& modes);

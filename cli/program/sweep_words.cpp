@@ -73,6 +73,10 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
   sub->add_flag("--json", options.json, "print what is found as one JSON object");
   sub->add_flag("--quiet", options.quiet, "print errors only");
   sub->add_flag("--strict", options.strict, "count failure modes not considered as not assessed (exit code 4)");
+  sub->footer(
+      "Exit codes: that of the best design (0 a design passes, 4 none passes, one is not assessed, 1 all fail); 0 for "
+      "the "
+      "scatter of one design and for a shard.");
   sub->callback([&] {
     if (options.file.empty() && options.status.empty()) throw CLI::RequiredError("file");
     action = [&] { return sweep(options); };

@@ -261,7 +261,8 @@ int Sweeping::tell(const project::SweepStatistics& found) const {
       std::cout << "\none point as a design: loadpath run " << file << " --point " << found.worst().front().index
                 << "\n";
   }
-  return passed;
+  const auto headline = project::headline_of(plan_, found);
+  return headline ? exit_for(*headline) : int{passed};
 }
 
 project::ReadAgain Sweeping::reading() const {

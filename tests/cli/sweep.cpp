@@ -214,6 +214,55 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(desk.run({"sweep", "a.toml", "--quiet"}).error.empty());
   }
 
+  TEST_CASE("a sweep of designs ends with the exit code of its best design") {
+    const std::string head = "[a]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nT = \"200 N*m\"\n";
+    const std::string none = head + "d = [\"10 mm\", \"12 mm\", \"15 mm\"]\n";  // 33.3 mm are needed: 16 T/(pi d^3)
+    const std::string one = head + "d = [\"10 mm\", \"12 mm\", \"34 mm\"]\n";
+    const std::string open =
+        "[a]\ncalculator = \"shaft.torsion\"\nmaterial = \"C45E\"\ntau_adm = \"600 MPa\"\nT = \"200 N*m\"\nd = [\"10 "
+        "mm\", \"34 mm\"]\n";
+    const std::string invalid = head + "d = [\"40 mm\", \"42 mm\"]\nd_bore = \"50 mm\"\n";
+    const auto ran = [](const std::string& text, std::vector<std::string> words = {}) {
+      const Desk desk;
+      desk.put("a.toml", text);
+      words.insert(words.begin(), {"sweep", "a.toml"});
+      return desk.run(words);
+    };
+    CHECK(ran(one).code == 0);
+    CHECK(contains(ran(one).out, "1 of 3 designs pass; 2 fail"));
+    CHECK(ran(none).code == 1);
+    CHECK_MESSAGE(contains(ran(none).out, "FAIL: 0 of 3 designs pass; 3 fail"), ran(none).out);
+    CHECK(contains(ran(none, {"--full"}).out, "FAIL: 0 of 3 designs pass; 3 fail."));
+    CHECK(contains(ran(none, {"--json"}).out, "\"headline\": \"FAIL\""));
+    CHECK(contains(ran(one, {"--json"}).out, "\"headline\": \"PASS\""));
+    CHECK(ran(none, {"--quiet"}).code == 1);
+    CHECK(ran(invalid).code == 1);
+    CHECK(contains(ran(invalid).out, "FAIL: none of the 2 designs is valid"));
+    CHECK(ran(open).code == 4);  // 600 MPa are more than C45E has
+    CHECK(contains(ran(open).out, "INCOMPLETE: 0 of 2 designs pass; 1 fail; 1 not assessed"));
+  }
+
+  TEST_CASE("scatter alone and a part of a sweep have no demand to fail") {
+    const std::string head = "[a]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\n";
+    const std::string scatter = "T = { mean = \"200 N*m\", sd = \"5 %\" }\n[project.sweep]\nsamples = 500\n";
+    const Desk desk;
+    desk.put("one.toml", head + "d = \"20 mm\"\n" + scatter);
+    const Ran one = desk.run({"sweep", "one.toml"});
+    CHECK(one.code == 0);
+    CHECK_MESSAGE(contains(one.out, "500 points: 0 pass"), one.out);
+    desk.put("two.toml", head + "d = [\"20 mm\", \"22 mm\"]\n" + scatter);
+    CHECK(desk.run({"sweep", "two.toml", "--out", "s1", "--shard", "1/2"}).code == 0);
+    CHECK(desk.run({"sweep", "two.toml", "--out", "s2", "--shard", "2/2"}).code == 0);
+    const Ran all = desk.run({"sweep", "two.toml", "--out", "all", "--merge", "s1", "s2"});
+    CHECK(all.code == 1);
+    CHECK_MESSAGE(contains(all.out, "FAIL: 0 of 2 designs pass in all 500 samples; 2 fail in all"), all.out);
+    // 33.73 mm carry 226 N*m, the mean load and 2.6 standard deviations: 0.47 % of the samples, spread evenly, exceed
+    // it
+    desk.put("rare.toml", head + "d = [\"20 mm\", \"33.73 mm\"]\n" + scatter + "sampling = \"latin\"\n");
+    CHECK(contains(desk.run({"sweep", "rare.toml"}).out, "0 of 2 designs pass in all 500 samples; 1 fail in some"));
+    CHECK(desk.run({"sweep", "rare.toml", "--quiet"}).code == 0);
+  }
+
   TEST_CASE("what is wrong with the words is told, and nothing is written") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);

@@ -103,9 +103,11 @@ void write_tally(JsonWriter& json, const Tally& tally) {
   write_extreme(json, "largest_utilisation", tally.largest);
 }
 
-void write_modes(JsonWriter& json, const project::Project& project, const SweepStatistics& found) {
+void write_modes(JsonWriter& json, const project::Project& project, const SweepPlan& plan,
+                 const SweepStatistics& found) {
   const auto columns = project::verdict_columns(project);
   json.key("verdict").open_object();
+  if (const auto headline = project::headline_of(plan, found)) json.member("headline", account::word(*headline));
   write_tally(json, found.tallies().front());
   json.close_object();
   json.key("modes").open_array();
@@ -239,7 +241,7 @@ std::string json_of(const project::Project& project, const SweepPlan& plan, cons
   json.key("results").open_array();
   for (std::size_t k = 0; k < plan.columns.size(); ++k) write_result(json, plan.columns[k], found.results()[k]);
   json.close_array();
-  write_modes(json, project, found);
+  write_modes(json, project, plan, found);
   json.key("refused").open_array();
   for (const auto& [id, refused] : found.refusals()) {
     json.open_object();

@@ -135,6 +135,19 @@ std::uint64_t SweepStatistics::points_of_invalid() const {
   return design_counts().invalid * std::max<std::uint64_t>(designs_.asked().samples, 1);
 }
 
+std::optional<account::Headline> headline_of(const SweepPlan& plan, const SweepStatistics& found) {
+  using account::Headline;
+  const std::uint64_t samples = found.designs().asked().samples;
+  if (samples == 0 || found.points() != plan.space.count()) return std::nullopt;
+  const double needed = found.designs().asked().quantile * static_cast<double>(samples);
+  Headline best = Headline::fail;
+  for (const DesignRow& row : found.designs().rows()) {
+    if (static_cast<double>(row.tally.passing) >= needed) return Headline::pass;
+    if (static_cast<double>(row.tally.samples - row.tally.failing) >= needed) best = Headline::incomplete;
+  }
+  return best;
+}
+
 bool SweepStatistics::merge(const SweepStatistics& other) {
   for (std::size_t k = 0; k < results_.size(); ++k) {
     if (!results_[k].merge(other.results_[k])) return false;

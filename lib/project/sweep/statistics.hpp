@@ -3,7 +3,9 @@
 // It is the same to the bit however the points were shared out, and can be stored and taken up again.
 #pragma once
 
+#include "lib/account/conclusion.hpp"
 #include "lib/project/sweep/designs.hpp"
+#include "lib/project/sweep/plan.hpp"
 #include "lib/sweep/statistics/covariances.hpp"
 #include "lib/sweep/statistics/forest.hpp"
 #include "lib/sweep/statistics/summary.hpp"
@@ -12,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,5 +98,9 @@ class SweepStatistics {
   Designs designs_;
   sweep::Forest<sweep::Covariances> covariances_;
 };
+
+/// The headline of a complete sweep that compares designs: that of its best design. A design with samples passes if the
+/// share `quantile` of them passes. Nothing for a part of a sweep, and for the scatter of one design: it has no demand.
+std::optional<account::Headline> headline_of(const SweepPlan& plan, const SweepStatistics& found);
 
 }  // namespace loadpath::project

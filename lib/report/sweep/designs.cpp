@@ -167,9 +167,13 @@ Message caption_of(std::size_t rows, std::size_t most, bool scatters) {
 }  // namespace
 
 std::string count_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
-  if (has_scattering_designs(plan)) return of_scattering(found);
   const project::DesignCounts counts = found.design_counts();
-  std::string text = number(counts.all_pass) + " of " + number(counts.valid()) + " designs pass";
+  const auto headline = project::headline_of(plan, found);
+  std::string text = headline && *headline != account::Headline::pass ? std::string(word(*headline)) + ": " : "";
+  if (counts.valid() == 0 && counts.invalid > 0)
+    return text + "none of the " + number(counts.invalid) + " designs is valid";
+  if (has_scattering_designs(plan)) return text + of_scattering(found);
+  text += number(counts.all_pass) + " of " + number(counts.valid()) + " designs pass";
   if (counts.all_fail > 0) text += "; " + number(counts.all_fail) + " fail";
   if (counts.not_assessed > 0) text += "; " + number(counts.not_assessed) + " not assessed";
   return text;

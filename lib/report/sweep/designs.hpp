@@ -9,7 +9,7 @@
 
 namespace loadpath::report {
 
-/// "20 of 29 designs pass in all 200 samples; 4 fail in some, 5 in all".
+/// "20 of 29 designs pass in all 200 samples; 4 fail in some, 5 in all"; "FAIL: 0 of 3 designs pass; 3 fail".
 std::string count_of_designs(const project::SweepPlan& plan, const project::SweepStatistics& found);
 
 /// At most `most` of them, those that always pass first.

@@ -232,7 +232,8 @@ Document sweep_document(const Project& project, const SweepPlan& plan, const Swe
   document.meta.emplace_back(say("Program"), document.program);
   auto& blocks = document.blocks;
   blocks.emplace_back(Heading{2, "Sweep", "sweep"});
-  if (has_scattering_designs(plan))
+  const auto headline = project::headline_of(plan, found);
+  if (has_scattering_designs(plan) || (headline && *headline != account::Headline::pass))
     blocks.emplace_back(Paragraph{say("{1}.", count_of_designs(plan, found)), Paragraph::Tone::plain});
   blocks.emplace_back(conclusion(plan, found));
   for (Block& block : sweep_charts(project, plan, found, drawn)) blocks.push_back(std::move(block));

@@ -1,4 +1,5 @@
-// Pin joints as their pins feel them: relative rotation, diameter, and whether their force reverses on the pin.
+// Pin joints as their pins and lugs feel them: relative rotation, diameter, whether their force reverses on the pin,
+// and its component transverse to the links.
 #include "calculators/mechanism/cycle/point_motion.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace loadpath::planar {
@@ -55,6 +57,55 @@ double reversal_on(int link, std::size_t joint, const Solved& solved) {
   return least;
 }
 
+constexpr const char* bars = "revolute joints of a link that has revolute joints only, in two places";
+constexpr std::array transverse{
+    declare("joints.NAME.F_t1", "maximum component of the force transverse to the first link", N, bars,
+            {.detail = true}),
+    declare("joints.NAME.F_t2", "maximum component of the force transverse to the second link", N, bars,
+            {.detail = true})};
+
+/// Whether a link has other pins than this one, and no joints of other kinds.
+bool is_bar(int link, std::size_t joint, const mechanism::Model& model) {
+  bool has_other = false;
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const mechanism::Joint& one = model.joints[k];
+    if (one.i != link && one.j != link) continue;
+    if (one.kind != mechanism::JointKind::revolute) return false;
+    has_other = has_other || k != joint;
+  }
+  return link != mechanism::ground && has_other;
+}
+
+/// From a pin of the link to the only other place that has pins, in its own axes; nothing if there is not one only.
+std::optional<Vec> axis_of(int link, std::size_t joint, const mechanism::Model& model) {
+  constexpr double same = 1e-9;  // metres
+  const auto place = [link](const mechanism::Joint& one) { return one.i == link ? one.point_i : one.point_j; };
+  std::optional<Vec> axis;
+  for (const mechanism::Joint& one : model.joints) {
+    if (one.i != link && one.j != link) continue;
+    const Vec arm = place(one) - place(model.joints[joint]);
+    if (mechanism::length(arm) <= same) continue;
+    if (axis && mechanism::length(arm - *axis) > same) return std::nullopt;
+    axis = arm;
+  }
+  return axis;
+}
+
+/// The lugs of a bar lie along the line between its pins.
+double transverse_to(int link, const Vec& axis, std::size_t joint, const Solved& solved) {
+  double most = none;
+  for (std::size_t k = 0; k < solved.cycle.positions.size(); ++k) {
+    if (!solved.cycle.has_forces(k)) continue;
+    const Position& p = solved.cycle.positions[k];
+    const Vec force = p.reactions[joint].force;
+    const double c = std::cos(angle_of(p, link)), s = std::sin(angle_of(p, link));
+    const Vec along{(c * axis.x - s * axis.y) / mechanism::length(axis),
+                    (s * axis.x + c * axis.y) / mechanism::length(axis)};
+    most = std::fmax(most, std::abs(along.x * force.y - along.y * force.x));
+  }
+  return most;
+}
+
 void add_single(const Declaration& what, const std::string& name, std::vector<Output>& out,
                 std::function<Output::Values(const Solved&)> read) {
   out.push_back(output(what, name));
@@ -70,6 +121,13 @@ void add_pins(const Mechanism::Input& in, const mechanism::Model& model, std::ve
     add_single(reversal, joint.name, out, [n, i = joint.i, j = joint.j](const Solved& solved) {
       return Output::Values({std::fmax(reversal_on(i, n, solved), reversal_on(j, n, solved))});
     });
+    for (const int link : {joint.i, joint.j}) {
+      if (!is_bar(link, n, model)) continue;
+      const auto axis = axis_of(link, n, model);
+      add_single(transverse[link == joint.i ? 0 : 1], joint.name, out, [n, link, axis](const Solved& solved) {
+        return Output::Values({axis ? transverse_to(link, *axis, n, solved) : none});
+      });
+    }
     const auto given = std::find_if(in.joints.begin(), in.joints.end(),
                                     [&](const planar::Joint& one) { return one.name.view() == joint.name; });
     if (given == in.joints.end() || !is_set(given->pin_radius)) continue;
@@ -81,6 +139,7 @@ void add_pins(const Mechanism::Input& in, const mechanism::Model& model, std::ve
 void list_pins(std::vector<ResultPattern>& patterns) {
   list_patterns(pin_rows, patterns);
   patterns.push_back(reversal.pattern);
+  for (const Declaration& one : transverse) patterns.push_back(one.pattern);
   patterns.push_back(diameter.pattern);
 }
 

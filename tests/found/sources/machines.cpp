@@ -2,6 +2,7 @@
 #include "tests/found/modes.hpp"
 #include "tests/pages.hpp"
 
+#include <cmath>
 #include <string>
 
 using namespace loadpath;
@@ -28,6 +29,11 @@ std::string pin(const std::string& force, const std::string& lines = "") {
          "n = \"=press.links.rod.omega\"\nheld = \"in_fork\"\nloading = \"pulsating\"\nd = \"20 mm\"\nt_1 = \"20 mm\"\n"
          "t_2 = \"10 mm\"\nmaterial = \"C45E\"\np_adm_1 = \"40 MPa\"\np_adm_2 = \"80 MPa\"\npv_adm = \"2 MPa*m/s\"\n" +
          lines;
+}
+
+std::string lug(const std::string& part, const std::string& lines = "") {
+  return "[" + part + "]\ncalculator = \"pin.lug\"\nload = \"=pin." + part +
+         "\"\nb = \"60 mm\"\na = \"20 mm\"\nsigma_adm = \"80 MPa\"\ntau_adm = \"40 MPa\"\np_adm = \"40 MPa\"\n" + lines;
 }
 
 std::string life(const std::string& sigma_D, const std::string& lines = "") {
@@ -61,6 +67,40 @@ TEST_SUITE("found machines") {
     CHECK(state(machine + pin("F = \"1 kN\"\n"), "pin", "bending") == "not-judged");
     CHECK(state(machine + pin("F = \"9 kN\"\n"), "pin", "bending") == "pass");
     CHECK(state(machine + pin("F = \"1 kN\"\n", "because.F = \"of the oil pump\"\n"), "pin", "bending") == "pass");
+  }
+
+  TEST_CASE("the force of a joint transverse to a crank is the torque over its length, to a rod without mass nothing") {
+    const auto project = solved_as_found(press("press", "8 kN"));
+    const auto most = [&](const char* path) {
+      double largest = 0.0;
+      for (const double si : project.value(path)->si) largest = std::fmax(largest, std::abs(si));
+      return largest;
+    };
+    CHECK(most("press.joints.A.F_t1") == doctest::Approx(most("press.drive.M") / 0.04).epsilon(1e-9));
+    CHECK(most("press.joints.A.F_t2") < 1e-6 * most("press.joints.A.F"));
+    CHECK(most("press.joints.O.F_t2") == doctest::Approx(most("press.joints.A.F_t1")).epsilon(1e-9));
+    CHECK(project.value("press.joints.O.F_t1") == nullptr);  // the ground
+    CHECK(project.value("press.joints.B.F_t2") == nullptr);  // the slider has a guide, and no axis
+  }
+
+  TEST_CASE("a rod that pulls across the lug of a crank") {
+    const std::string rod =
+        "[rod]\ncalculator = \"link.member\"\nload = \"=press.links.rod\"\nh = \"40 mm\"\nb = \"20 mm\"\nends = "
+        "\"pinned_pinned\"\nmaterial = \"S235\"\nmethod = \"johnson\"\nn_st = 3\nS = 2\n\n";
+    const auto machine = [&](const std::string& joint, const std::string& t_1) {
+      return press("press", "8 kN") + rod +
+             replaced(pin("load = \"=press.joints." + joint + "\"\n"), "t_1 = \"20 mm\"", "t_1 = \"" + t_1 + "\"");
+    };
+    CHECK(state(machine("B", "20 mm") + lug("eye") + lug("cheek"), "eye", "net") == "pass");
+    CHECK(state(machine("B", "20 mm") + lug("eye") + lug("cheek"), "cheek", "net") == "pass");
+    const std::string known = machine("A", "=rod.b") + lug("eye");  // the eye is that of the rod
+    CHECK(state(known + lug("cheek"), "eye", "net") == "pass");
+    CHECK(state(known + lug("cheek"), "cheek", "net") == "not-judged");
+    CHECK(state(known + lug("cheek", "because.load = \"beam to the far side, sheet 3\"\n"), "cheek", "net") == "pass");
+    const std::string unknown = machine("A", "20 mm") + lug("eye");
+    CHECK(state(unknown, "eye", "net") == "pass");  // it may be that of the rod
+    CHECK(state(unknown + lug("cheek"), "eye", "net") == "not-judged");
+    CHECK(state(unknown + lug("cheek"), "cheek", "net") == "not-judged");
   }
 
   TEST_CASE("a heavier load case of the same joints that no step takes") {

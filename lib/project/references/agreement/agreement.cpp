@@ -4,6 +4,7 @@
 #include "lib/project/references/agreement/drive_lines.hpp"
 #include "lib/project/references/agreement/ends.hpp"
 #include "lib/project/references/agreement/excitations.hpp"
+#include "lib/project/references/agreement/lugs.hpp"
 #include "lib/project/references/agreement/sizes.hpp"
 #include "lib/project/references/agreement/stated_motors.hpp"
 #include "lib/project/references/agreement/stated_values.hpp"
@@ -18,7 +19,8 @@ std::vector<ReducedLoad> values_in_disagreement(const Step& step, const Project&
   for (const auto& found :
        {torques_of_line(step, project), ends_of_vessel(step, project), surfaces_of(step, project),
         excitations_of(step, project), sizes_in_disagreement(step, project), values_stated_only(step, project),
-        motors_stated_only(step, project), lengths_of_columns(step, project), stages_of_trains(step, project)})
+        motors_stated_only(step, project), lengths_of_columns(step, project), stages_of_trains(step, project),
+        forces_across_lugs(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

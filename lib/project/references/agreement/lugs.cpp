@@ -1,0 +1,159 @@
+#include "lib/project/references/agreement/lugs.hpp"
+
+#include "lib/project/references/origins.hpp"
+#include "lib/project/references/references.hpp"
+#include "lib/project/references/sources.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace loadpath::project {
+
+namespace {
+
+/// The sine of the 5 degrees by which a force may leave the axis of a lug.
+constexpr double most_across = 0.0872;
+
+bool is_lug(const Step& step) {
+  return step.input().calculator != nullptr && step.input().calculator->id == std::string_view("pin.lug");
+}
+
+/// The input of a pin joint that is the thickness of this part of it.
+std::string thickness_of(const std::string& part) { return part == "eye" ? "t_1" : part == "cheek" ? "t_2" : ""; }
+
+const Operand* operand_at(const Step& step, std::string_view path) {
+  const auto& operands = step.input().reading.operands;
+  const auto at = std::ranges::find_if(operands, [&](const Operand& one) { return one.path == path; });
+  return at == operands.end() ? nullptr : &*at;
+}
+
+/// "press.joints.A" of "press.joints.A.F"; empty of anything else.
+std::string joint_of(const Step& step) {
+  const Operand* const force = operand_at(step, "F");
+  if (force == nullptr || force->expression.references().empty()) return {};
+  const std::string& path = force->expression.references().front().path;
+  const bool is_of_joint = split_step(path).second.starts_with("joints.") && path.ends_with(".F");
+  return is_of_joint ? path.substr(0, path.size() - 2) : std::string();
+}
+
+/// What a lug is part of: a pin joint and its part, or the joint of a mechanism itself.
+struct Place {
+  const Step* pin = nullptr;
+  std::string part, joint;
+};
+
+Place place_of(const Step& lug, const Project& project) {
+  for (const Taken& record : lug.input().reading.records) {
+    const auto [name, rest] = split_step(record.source);
+    const Step* const pin = project.find(name);
+    if (record.path == "load" && pin != nullptr && !thickness_of(rest).empty()) return {pin, rest, joint_of(*pin)};
+  }
+  return {nullptr, "", joint_of(lug)};
+}
+
+class LugCheck {
+ public:
+  LugCheck(const Step& lug, const Project& project) : lug_(lug), project_(project), at_(place_of(lug, project)) {}
+
+  std::vector<ReducedLoad> run() {
+    const auto [name, rest] = split_step(at_.joint);
+    const Step* const mechanism = at_.joint.empty() ? nullptr : project_.find(name);
+    if (mechanism == nullptr || mechanism->input().reading.record.data == nullptr) return {};
+    mechanism_ = name;
+    for (const int k : {0, 1}) {
+      const Leaf leaf =
+          find_leaf(mechanism->input().reading.record, rest + ".links." + std::string(k == 0 ? "first" : "second"));
+      if (leaf && leaf.field->text != nullptr) links_[static_cast<std::size_t>(k)] = leaf.field->text(leaf.owner);
+    }
+    const int own = own_link();
+    for (const int k : {0, 1}) {
+      if ((own == k || (own < 0 && is_on_either(k))) && is_crossed(k)) return {held(k)};
+    }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] double across(int k) const {
+    return magnitude_at(project_, path_of_transverse(at_.joint + ".F", k + 1));
+  }
+  [[nodiscard]] bool is_crossed(int k) const {
+    return across(k) > most_across * magnitude_at(project_, at_.joint + ".F");
+  }
+
+  /// The link whose step of link.member an input takes its value from; negative if none is.
+  [[nodiscard]] int link_behind(const Step& step, const std::string& key) const {
+    const Operand* const operand = key.empty() ? nullptr : operand_at(step, key);
+    if (operand == nullptr) return -1;
+    for (const auto& reference : operand->expression.references()) {
+      const Step* const bar = project_.find(split_step(reference.path).first);
+      if (bar == nullptr) continue;
+      for (const Taken& record : bar->input().reading.records) {
+        for (const int k : {0, 1}) {
+          if (record.source == mechanism_ + ".links." + links_[static_cast<std::size_t>(k)]) return k;
+        }
+      }
+    }
+    return -1;
+  }
+
+  /// The link of a part by its thickness or width.
+  [[nodiscard]] int link_of(const Step& lug, const std::string& part) const {
+    for (const char* const key : {"t", "b"}) {
+      if (const int k = link_behind(lug, key); k >= 0) return k;
+    }
+    return at_.pin == nullptr ? -1 : link_behind(*at_.pin, thickness_of(part));
+  }
+
+  [[nodiscard]] const Step* other_lug() const {
+    for (const auto& step : project_.steps) {
+      if (step.get() == &lug_ || !is_lug(*step) || at_.pin == nullptr) continue;
+      const Place there = place_of(*step, project_);
+      if (there.pin == at_.pin && there.part != at_.part) return step.get();
+    }
+    return nullptr;
+  }
+
+  /// Of eye and cheek, one belongs to each link.
+  [[nodiscard]] int own_link() const {
+    if (const int k = link_of(lug_, at_.part); k >= 0) return k;
+    if (at_.pin == nullptr) return -1;
+    const std::string other = at_.part == "eye" ? "cheek" : "eye";
+    const Step* const lug = other_lug();
+    const int theirs = lug != nullptr ? link_of(*lug, other) : link_behind(*at_.pin, thickness_of(other));
+    return theirs < 0 ? -1 : 1 - theirs;
+  }
+
+  /// Of a lug whose link is not known: whether a lug of this link is among those assessed at the joint.
+  [[nodiscard]] bool is_on_either(int k) const { return other_lug() != nullptr || is_crossed(1 - k); }
+
+  [[nodiscard]] ReducedLoad held(int k) const {
+    const std::string& link = links_[static_cast<std::size_t>(k)];
+    const std::string key = at_.pin == nullptr ? "t" : thickness_of(at_.part);
+    const std::string path = at_.pin == nullptr ? "F" : "load";
+    return {path,
+            own_link() == k
+                ? say("force across the lug: '{1}' has up to {2} across the axis of link '{3}', and the lug is "
+                      "assessed along it; assess this separately and say how: {4} = \"...\"",
+                      at_.joint, format_quantity(across(k), "kN", 3), link, because_key(path))
+                : say("force across the lug: '{1}' has up to {2} across the axis of link '{3}', which this lug may "
+                      "belong to: take {5} from the step of its link, or say how this is assessed: {4} = \"...\"",
+                      at_.joint, format_quantity(across(k), "kN", 3), link, because_key(path), key)};
+  }
+
+  const Step& lug_;
+  const Project& project_;
+  Place at_;
+  std::string mechanism_;
+  std::array<std::string, 2> links_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> forces_across_lugs(const Step& step, const Project& project) {
+  return is_lug(step) ? LugCheck(step, project).run() : std::vector<ReducedLoad>{};
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,14 @@
+// Lugs of pins that a mechanism loads: nominal stresses of a lug hold for a force along its axis, and the force of a
+// joint may turn away from the axis of a link, as that of a rod on a crank does.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// For the step of a lug on a bar that the force crosses.
+std::vector<ReducedLoad> forces_across_lugs(const Step& step, const Project& project);
+
+}  // namespace loadpath::project

@@ -179,7 +179,7 @@ bool may_vary(const Project& project, const std::string& path, const std::set<st
 bool compares_with_others(const Step& step, const Project& project, const std::set<std::string>& affected) {
   if (compares_numbers(step, project)) return true;
   const NotedReads reads;
-  stated_and_not_taken(step, project);
+  compared_statements(step, project);
   return std::ranges::any_of(reads.paths(), [&](const auto& path) { return may_vary(project, path, affected); });
 }
 

@@ -146,8 +146,9 @@ class StatedCheck {
       if (name == "years" && value.signature.dimension.is_number()) years = value.si.front();
       if (value.signature.dimension == duration && has_word(name, {"day", "daily"})) hours = value.si.front();
     }
-    const double life = years * days * hours, here = own("L_h");
-    if (!(life > (1.0 + in_few_digits) * here)) return;
+    const double life = years * days * hours;
+    if (std::isnan(life) || !(life > (1.0 + in_few_digits) * own("L_h"))) return;
+    const double here = own("L_h");
     add("L_h", say("the years and hours of [values] act on no step: {1} on 250 days a year, and L_h is {2}: refer to "
                    "them, delete them, or justify it: because.L_h = \"...\"",
                    format_quantity(life, "h", 5), format_quantity(here, "h", 5)));

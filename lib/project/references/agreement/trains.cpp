@@ -46,8 +46,9 @@ double at_shaft(const Project& project, const std::string& train, std::size_t nu
 /// A stage of gears with a module.
 struct GearStage {
   std::string path;  // "stages.first"
-  double m_n, T;     // torque of its pinion
-  bool is_rated;     // another step refers to it
+  double m_n;
+  std::size_t shaft;  // number of the shaft of its pinion
+  bool is_rated;      // another step refers to it
 };
 
 std::vector<GearStage> gear_stages(const Step& train, const Project& project) {
@@ -61,7 +62,7 @@ std::vector<GearStage> gear_stages(const Step& train, const Project& project) {
     if (std::isnan(m_n)) continue;
     const bool is_rated = is_referred_to(project, train, train.name() + "." + path) ||
                           is_referred_to(project, train, train.name() + "." + number);
-    all.push_back({path, m_n, at_shaft(project, train.name(), i + 1, "T"), is_rated});
+    all.push_back({path, m_n, i + 1, is_rated});
   }
   return all;
 }
@@ -69,10 +70,11 @@ std::vector<GearStage> gear_stages(const Step& train, const Project& project) {
 /// Of two stages, the one with the larger torque and no larger module decides.
 void compare_stages(const Step& train, const Project& project, std::vector<ReducedLoad>& found) {
   const std::vector<GearStage> stages = gear_stages(train, project);
+  const auto torque = [&](const GearStage& stage) { return at_shaft(project, train.name(), stage.shaft, "T"); };
   for (const GearStage& stage : stages) {
     if (stage.is_rated) continue;
     const auto is_less_loaded = [&](const GearStage& other) {
-      return other.is_rated && stage.T > (1.0 + typed_digits) * other.T && stage.m_n <= other.m_n;
+      return other.is_rated && torque(stage) > (1.0 + typed_digits) * torque(other) && stage.m_n <= other.m_n;
     };
     const auto other = std::ranges::find_if(stages, is_less_loaded);
     if (other == stages.end()) continue;
@@ -95,6 +97,8 @@ class WheelCheck {
   WheelCheck(const Step& wheels, const Project& project) : wheels_(wheels), project_(project) {}
 
   std::vector<ReducedLoad> run() {
+    const auto is_train = [](const auto& step) { return kind_of_step(*step) == "drive.train"; };
+    if (std::ranges::none_of(project_.steps, is_train)) return {};
     n_1_ = own_value(wheels_, project_, "n_1"), n_2_ = driven_speed(wheels_, project_);
     if (!(n_1_ > 0.0) || !(n_2_ > 0.0)) return {};
     for (const auto& step : project_.steps) {

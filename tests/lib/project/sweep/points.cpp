@@ -23,6 +23,30 @@ const std::string shaft =
 
 double number_of(State state) { return static_cast<double>(state); }
 
+/// The states of two points, each that of a run of its own, which differ.
+void check_two_states(const std::string& text) {
+  CAPTURE(text);
+  const Swept swept(text, {});
+  REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::vector<Issue> issues;
+    project::Project alone = swept.read(issues);
+    project::set_point(alone, swept.plan, i, issues);
+    project::solve(alone, issues);
+    CHECK(number_of(account::overall(project::modes(alone))) == swept.column("state")[i]);
+  }
+  CHECK(swept.column("state")[0] != swept.column("state")[1]);
+}
+
+/// The same in either order of the two values that stand for '#'.
+void check_in_either_order(const std::string& text, const std::string& a, const std::string& b) {
+  for (const std::string& values : {"[" + a + ", " + b + "]", "[" + b + ", " + a + "]"}) {
+    std::string all = text;
+    all.replace(all.find('#'), 1, values);
+    check_two_states(all);
+  }
+}
+
 }  // namespace
 
 TEST_SUITE("points of a sweep") {
@@ -140,21 +164,42 @@ TEST_SUITE("points of a sweep") {
         "P = 0.975\n\n[shaft]\ncalculator = \"fatigue.life\"\nsigma_max = \"100 MPa\"\nsigma_min = "
         "\"-100 MPa\"\nR_m = \"690 MPa\"\nR_e = \"490 MPa\"\ngroup = \"carbon-steel\"\nS_D = 1.5\nS_F = "
         "1.5\nsigma_D = ";
-    for (const std::string& text :
-         {left_out + "[\"160 N*m\", \"100 N*m\"]\n", left_out + "[\"100 N*m\", \"160 N*m\"]\n",
-          limit + "[\"200 MPa\", \"300 MPa\"]\n", limit + "[\"300 MPa\", \"200 MPa\"]\n"}) {
-      CAPTURE(text);
-      const Swept swept(text, {"shaft.passes"});
+    check_in_either_order(left_out + "#\n", "\"160 N*m\"", "\"100 N*m\"");
+    check_in_either_order(limit + "#\n", "\"200 MPa\"", "\"300 MPa\"");
+  }
+
+  TEST_CASE("names of stated values, motors and stages of trains are compared at every point") {
+    check_in_either_order(
+        "[values]\nlife = \"20000 h\"\n\n[b]\ncalculator = \"bearing.rolling\"\nbearing = \"6308\"\nF_r = \"2 kN\"\n"
+        "n = \"1000 rpm\"\ns_0 = 1.5\nL_h = #\n",
+        "\"30000 h\"", "\"10000 h\"");
+    const std::string wheels =
+        "[w]\ncalculator = \"drive.friction_wheels\"\nn_1 = \"700 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"600 mm\"\nepsilon = "
+        "0.02\nb = \"80 mm\"\npair = \"leather\"\nq_adm = \"30 N/mm\"\nP = ";
+    check_in_either_order("[values]\nP_motor = \"1.1 kW\"\n\n" + wheels + "#\n", "\"1 kW\"", "\"1.5 kW\"");
+    const auto train = [](const std::string& P) {
+      return "\n[tr]\ncalculator = \"drive.train\"\nn_1 = \"700 rpm\"\nstages = [{ name = \"wheels\", kind = "
+             "\"other\", i = "
+             "3.0612, eta = 0.9 }]\nP = " +
+             P + "\n";
+    };
+    check_in_either_order(wheels + "\"1.5 kW\"\n" + train("#"), "\"1.5 kW\"", "\"15 kW\"");
+    check_in_either_order(wheels + "#\n" + train("\"1.5 kW\""), "\"1.5 kW\"", "\"0.7 kW\"");
+  }
+
+  TEST_CASE("the modes of a key that a stated peak concerns, at every point") {
+    const std::string key =
+        "[values]\nk_start = 2\n\n[key]\ncalculator = \"shaft.key\"\nT = \"300 N*m\"\ntorque = \"one_way\"\nd = \"50 "
+        "mm\"\nkey = \"14x9\"\nl = \"70 mm\"\nl_n = \"75 mm\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"300 MPa\"\nR_e_k = \"420 "
+        "MPa\"\nT_max = ";
+    const auto pressed = [&](const std::string& T_max) {
+      const Swept swept(key + T_max + "\n", {});
       REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
-      for (std::size_t i = 0; i < 2; ++i) {
-        std::vector<Issue> issues;
-        project::Project alone = swept.read(issues);
-        project::set_point(alone, swept.plan, i, issues);
-        project::solve(alone, issues);
-        CHECK(number_of(account::overall(project::modes(alone))) == swept.column("state")[i]);
-      }
-      CHECK(swept.column("state")[0] != swept.column("state")[1]);
-    }
+      return swept.column("key.modes.shaft.state");
+    };
+    const double pass = number_of(State::pass), held = number_of(State::not_judged);
+    CHECK(pressed("[\"700 N*m\", \"400 N*m\"]") == std::vector<double>{pass, held});
+    CHECK(pressed("[\"400 N*m\", \"700 N*m\"]") == std::vector<double>{held, pass});
   }
 
   TEST_CASE("what is wrong with a range is told") {

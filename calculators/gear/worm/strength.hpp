@@ -53,7 +53,8 @@ void rate_wear(const Input& in, Result& r, Tracer& trace) {
   if (in.casting == WormTypes::Casting::unsaid || !is_set(r.v_s)) return;
   const double C_s0 = materials_factor(in, r, trace);
   STEP(a_i, r.a / (25.4 * mm), "centre distance in inches");
-  STEP_TO(r, C_s, a_i < 3.0 ? min(C_s0, 720.0 + 10.37 * pow<3>(a_i)) : C_s0, "small gears, [EngineersEdge-worm]");
+  STEP_TO(r, C_s, a_i < 3.0 ? min(C_s0, 720.0 + 10.37 * pow<3>(a_i)) : C_s0,
+          "small gears, [EngineersEdge-worm], [Shigley-15-32]");
   STEP_TO(r, x_i, r.i, "the ratio correction factor is given for these");
   r.C_m = ratio_factor(r.i, trace);
   r.C_v = velocity_factor(r, trace);

@@ -4,10 +4,11 @@
 // force of a bronze wheel on a steel worm by ANSI/AGMA 6034, the bending stress by Buckingham, and the balance of heat
 // of the case. Friction by the sliding velocity, as AGMA has it for lubricated hardened worms, or as given. Frame of
 // the worm: x from its axis to the wheel, z along it; of the wheel: x to the worm, z along y of the worm. Nominal
-// loads; the records worm and wheel have K_A. Heat is that of the nominal power. C_s below a centre distance of 3 in
-// with 720 as [EngineersEdge-worm] prints it, which is continuous there; a reprint with 270 is not. Recalled: the heat
-// transfer of the case, 0.67 d_1 (the sheet of [AGMA6034] has d_1/3). Not covered: driving wheels other than their
-// efficiency, globoid worms, other materials than bronze on steel, losses of bearings, seals and churning.
+// loads; the records worm and wheel have K_A. Heat is that of the nominal power. C_s below a centre distance of 3 in:
+// 720 + 10.37 C^3, as in [EngineersEdge-worm] and [Shigley-15-32], continuous at 3 in, where C_s is 1000; a reprint
+// with 270 jumps there and is a misprint of 720. Recalled: the heat transfer of the case, 0.67 d_1 (the sheet of
+// [AGMA6034] has d_1/3). Not covered: driving wheels other than their efficiency, globoid worms, other materials than
+// bronze on steel, losses of bearings, seals and churning.
 #pragma once
 
 #include "calculators/gear/worm/results.hpp"
@@ -28,7 +29,7 @@ struct Worm : WormTypes {
       "Geometry, sliding, efficiency in both directions, self-locking and forces of cylindrical worm gears; pitting "
       "and wear of a bronze wheel by ANSI/AGMA 6034, tooth bending by Buckingham, and the heat of the case; deflection "
       "of the worm is not covered.";
-  static constexpr auto source = "[AGMA6034], [EngineersEdge-worm], [KHK-worm], [Inventor]";
+  static constexpr auto source = "[AGMA6034], [EngineersEdge-worm], [Shigley-15-32], [KHK-worm], [Inventor]";
   static constexpr auto headline = "i = {i}";
   static constexpr auto details = "efficiency {eta}, centre distance {a}";
   static constexpr auto synonyms =

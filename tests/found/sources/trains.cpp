@@ -47,6 +47,26 @@ TEST_SUITE("found trains") {
     CHECK(contact(own + train("1.5 kW", "3"), "w") == "pass");
   }
 
+  TEST_CASE("a stage of a worm has about the efficiency of its mesh") {
+    // tan(gamma) = 8/40 and mu = 0.027: by [AGMA6034] the mesh has 0.87
+    const auto strength = [](const std::string& eta, const std::string& more = "") {
+      return mode_of(
+          solved_as_found("[x]\ncalculator = \"drive.train\"\nP = \"0.6 kW\"\nn_1 = \"1400 rpm\"\nstages = [{ name = "
+                          "\"worm\", kind = \"worm\", z_1 = 2, z_2 = 40, eta = " +
+                          eta + " }]\n" + more +
+                          "\n[w]\ncalculator = \"gear.worm\"\nz_1 = \"=x.stages.worm.z_1\"\nz_2 = "
+                          "\"=x.stages.worm.z_2\"\nm_x = \"4 mm\"\nd_1 = \"40 mm\"\nb_2 = \"30 mm\"\nT_1 = "
+                          "\"=x.shafts[1].T\"\nn_1 = \"=x.shafts[1].n\"\ncasting = \"chill\"\nS_Wmin = 1\n"
+                          "sigma_adm = \"60 MPa\"\nA_h = \"0.25 m^2\"\ndT_adm = \"60 K\"\n"),
+          "x", "strength");
+    };
+    CHECK(strength("0.8") == "pass");
+    CHECK(strength("0.87") == "pass");
+    CHECK(strength("0.5") == "not-judged");
+    CHECK(strength("0.9") == "not-judged");
+    CHECK(strength("0.5", "because.\"stages.worm.eta\" = \"measured with its seals\"\n") == "pass");
+  }
+
   TEST_CASE("of two stages of one module, the one with the larger torque is rated too") {
     const auto strength = [](const std::string& m_n, const std::string& more) {
       return mode_of(

@@ -86,6 +86,41 @@ void compare_stages(const Step& train, const Project& project, std::vector<Reduc
   }
 }
 
+/// The worm gear that has the load of the first shaft of a stage, or its teeth.
+const Step* worm_of_stage(const Step& train, const std::string& path, std::size_t number, const Project& project) {
+  const std::string shaft = train.name() + ".shafts[" + std::to_string(number) + "]";
+  const auto is_it = [&](const auto& step) {
+    return kind_of_step(*step) == "gear.worm" &&
+           (refers_into(*step, shaft) || refers_into(*step, train.name() + "." + path));
+  };
+  const auto worm = std::ranges::find_if(project.steps, is_it);
+  return worm == project.steps.end() ? nullptr : worm->get();
+}
+
+/// The efficiency of a stage next to that of the mesh of its worm gear: bearings and seals take a little of it.
+void compare_worms(const Step& train, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double least = 0.85, most = 1.02;  // of the efficiency of the mesh
+  const Record& record = train.input().reading.record;
+  const FieldInfo* const stages = find_field(record.type->fields, "stages");
+  for (std::size_t i = 0; stages != nullptr && i < stages->size(record.data.get()); ++i) {
+    const std::string path = "stages" + element_path(*stages, record.data.get(), i);
+    const Leaf kind = find_leaf(record, path + ".kind");
+    const Step* const worm = kind && word_of(kind) == "worm" ? worm_of_stage(train, path, i + 1, project) : nullptr;
+    if (worm == nullptr) continue;
+    const double typed = own_value(train, project, path + ".eta"), mesh = magnitude_at(project, worm->name() + ".eta");
+    if (!(typed > most * mesh) && !(typed < least * mesh)) continue;
+    found.push_back({path + ".eta",
+                     say("the efficiency {1} of the stage is {2} that of the mesh, '{3}.eta' = {4}, {5}: correct it, "
+                         "or {6} = \"...\"",
+                         format_number(typed, 3), typed > mesh ? say("above") : say("far below"), worm->name(),
+                         format_number(mesh, 3),
+                         typed > mesh ? say("which has no losses of bearings")
+                                      : say("and the driven shafts have "
+                                            "too little torque"),
+                         because_key(path + ".eta"))});
+  }
+}
+
 /// The speed of the driven wheel, before its step is solved too.
 double driven_speed(const Step& wheels, const Project& project) {
   const double i = own_value(wheels, project, "d_2") / own_value(wheels, project, "d_1");
@@ -153,7 +188,7 @@ class WheelCheck {
 
 std::vector<ReducedLoad> stages_of_trains(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  if (kind_of_step(step) == "drive.train") compare_stages(step, project, found);
+  if (kind_of_step(step) == "drive.train") compare_stages(step, project, found), compare_worms(step, project, found);
   if (kind_of_step(step) == "drive.friction_wheels") found = WheelCheck(step, project).run();
   return found;
 }

@@ -1,5 +1,5 @@
 // A train next to the steps of its stages: gears of one size of which only the less loaded ones are rated, friction
-// wheels with another ratio or less power than their stage.
+// wheels with another ratio or less power than their stage, worm gears of another efficiency.
 #pragma once
 
 #include "lib/project/project.hpp"

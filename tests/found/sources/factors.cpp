@@ -133,6 +133,23 @@ TEST_SUITE("found factors elsewhere") {
     }
   }
 
+  TEST_CASE("a key with the typed torque of a machine has its application factor") {
+    const auto pressed = [](const std::string& T, const std::string& more = "") {
+      return mode_of(
+          solved_as_found("[gears]\ncalculator = \"gear.pair\"\nz_1 = 25\nz_2 = 60\nm_n = \"4 mm\"\nb = \"40 "
+                          "mm\"\nT_1 = \"300 N*m\"\nn_1 = \"1450 rpm\"\nK_A = 1.25\n\n[key]\ncalculator = "
+                          "\"shaft.key\"\ntorque = \"one_way\"\nd = \"50 mm\"\nkey = \"14x9\"\nl = \"70 mm\"\n"
+                          "l_n = \"75 mm\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"300 MPa\"\nR_e_k = \"420 MPa\"\nT = \"" +
+                          T + "\"\n" + more),
+          "key", "shaft");
+    };
+    CHECK(pressed("300 N*m") == "not-judged");
+    CHECK(pressed("300 N*m", "K_A = 1.25\n") == "pass");
+    CHECK(pressed("300 N*m", "because.K_A = \"on the side of the smooth load\"\n") == "pass");
+    CHECK(pressed("310 N*m") == "pass");  // another shaft
+    CHECK(pressed("375 N*m") == "pass");  // with the factor
+  }
+
   TEST_CASE("a torque divided by its factor, in a step that applies this factor, is the whole torque") {
     const auto key = [](const std::string& T, const std::string& K_A) {
       const std::string text =

@@ -9,6 +9,7 @@
 #include "lib/project/references/agreement/stated_motors.hpp"
 #include "lib/project/references/agreement/stated_values.hpp"
 #include "lib/project/references/agreement/surfaces.hpp"
+#include "lib/project/references/agreement/torques.hpp"
 #include "lib/project/references/agreement/trains.hpp"
 
 namespace loadpath::project {
@@ -26,7 +27,7 @@ std::vector<ReducedLoad> statements_in_disagreement(const Step& step, const Proj
   if (!has_record(step)) return all;
   for (const auto& found :
        {values_stated_only(step, project), motors_stated_only(step, project), lengths_of_columns(step, project),
-        stages_of_trains(step, project), forces_across_lugs(step, project)})
+        stages_of_trains(step, project), forces_across_lugs(step, project), factors_of_torque(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

@@ -123,11 +123,18 @@ void tighten(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, u_S, r.S_0_min / r.S_0, "friction condition");
 }
 
-/// What the spans do to the shafts.
+template <class Tracer>
+Force tight_side(const Flat::Result& r, Tracer& trace) {
+  if (!is_set(r.S_1r)) return NAMED_STEP("N_1", r.S_1 - r.F_c, "tight side tension less centrifugal tension");
+  return NAMED_STEP("N_1", max(r.S_1, r.S_1r) - r.F_c,
+                    "tight side tension less centrifugal tension, larger of both directions");
+}
+
+/// Shaft loads of the spans, in the direction of rotation with the larger tensions.
 template <class Tracer>
 void load(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
-  STEP(N_1, r.S_1 - r.F_c, "tight side tension less centrifugal tension");
-  STEP(N_2, r.S_2 - r.F_c, "slack side tension less centrifugal tension");
+  const Force N_1 = tight_side(r, trace);
+  STEP(N_2, N_1 - r.F_t, "slack side tension less centrifugal tension");
   const Moment T_1 = r.F_t * in.d_1 / 2.0, T_2 = r.F_t * in.d_2 / 2.0;
   if (in.arrangement == Arrangement::quarter_turn) {
     load_crossed_shafts(N_1, N_2, r, trace);

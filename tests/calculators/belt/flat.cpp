@@ -114,6 +114,17 @@ TEST_SUITE("belt flat") {
     CHECK(rel(in_si(both.sigma_max), in_si(r.sigma_max)) < 1e-12);  // the tight span of the tensioning direction
   }
 
+  TEST_CASE("the shafts carry the larger load of both directions of rotation") {
+    for (const double h_P : {0.3, -0.3}) {
+      CAPTURE(h_P);
+      belt::Flat::Input in = on_pivot(h_P);
+      in.rotation = belt::Flat::Rotation::both;
+      const auto both = solve(in), tensioning = solve(on_pivot(0.3));
+      CHECK(rel(in_si(both.R), in_si(tensioning.R)) < 1e-12);
+      CHECK(rel(in_si(both.shaft_1.F), in_si(tensioning.shaft_1.F)) < 1e-12);
+    }
+  }
+
   TEST_CASE("at the minimum mass friction is used in full; a pivot between the spans needs less") {
     belt::Flat::Input in = on_pivot(0.3);
     in.m_m = solve(in).m_min;

@@ -72,7 +72,7 @@ struct Diameters {
 Diameters diameters_of(const Stage& s) {
   if (is_set(s.d_1)) return {s.d_1, s.d_2};
   if (!s.has_teeth()) return {};
-  const bool gears = s.kind <= StageKind::bevel;  // gear, internal, bevel
+  const bool gears = s.kind == StageKind::gear || s.kind == StageKind::internal || s.kind == StageKind::bevel;
   const Length tooth = gears ? s.m_n / std::cos(s.beta) : s.kind == StageKind::chain ? s.p / pi : unset<Length>;
   return {tooth * s.z_1, tooth * s.z_2};
 }

@@ -8,9 +8,13 @@ namespace loadpath::chain {
 
 namespace {
 
-/// Sag and centrifugal force only with the mass of the chain, as reported.
+/// Pitch diameter less root diameter, over the pitch: the teeth are less deep than a pitch, so that the root circles
+/// are larger.
+constexpr double deepest_teeth = 2.0;
+
+/// Without the mass of the chain, sag and centrifugal force are excluded from the maximum pull, as reported.
 template <class Tracer>
-void pull_silently(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& trace) {
+void chain_pulls(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& trace) {
   STEP_TO(r, n_2, in.n_1 / r.i, "mean speed");
   STEP_TO(r, v, in.z_1 * in.p * in.n_1 / (2.0 * pi), "mean chain speed");
   if (is_set(in.v_max)) {
@@ -24,22 +28,11 @@ void pull_silently(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tra
   STEP(g, 9.81 * m_per_s2, "gravity");
   STEP_TO(r, F_c, q * v * v, "centrifugal force, [Chain-laws]");
   STEP_TO(r, F_f, in.K_f * q * g * r.a, "pull due to the sag of the slack strand, [Vunivere]");
-  STEP_TO(r, F, in.K_A * F_t + F_c + F_f, "maximum pull; service factor included");
-  STEP_TO(r, F_W, in.K_A * F_t + 2.0 * F_f, "both strands, [Vunivere]; the centrifugal force does not load the shafts");
-}
-
-/// The teeth of the sprockets are less deep than a pitch, so that the root circles are larger than these.
-template <class Tracer>
-void load_shafts(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer&) {
-  const Force none = 0.0 * N.one;
-  r.shaft_1 = shaft_load(in.K_A * r.T_1, {r.F_W, none, none}, r.d_1, in.n_1, 0.0);
-  r.shaft_2 = shaft_load(in.K_A * r.T_2, {r.F_W, none, none}, r.d_2, r.n_2, 0.0);
-  r.shaft_1.d_f = r.d_1 - 2.0 * in.p, r.shaft_2.d_f = r.d_2 - 2.0 * in.p;
-  r.shaft_1.kind = r.shaft_2.kind = Mounted::sprocket;
+  load_sprocket_shafts(in, deepest_teeth * in.p, r, trace);
 }
 
 template <class Tracer>
-void widen(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& trace) {
+void required_width(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& trace) {
   STEP_TO(r, P_c, in.P * in.K_A, "design power, [Ramsey]");
   if (!is_set(in.P_b)) return;
   trace.value("odd", r.odd, "1 for an odd number of links");
@@ -49,7 +42,7 @@ void widen(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& tra
 }
 
 template <class Tracer>
-void hold_together(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& trace) {
+void breaking_safety(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& trace) {
   if (!is_set(in.F_u)) return;
   STEP_TO(r, u_F, r.F / in.F_u, "the maximum pull must not break the chain");
   if (!(r.F > 0.0 * N)) return;
@@ -70,10 +63,9 @@ InvertedTooth::Result InvertedTooth::evaluate(const Input& in, Tracer& trace) {
   Result r;
   lay_links(in, r, trace);
   lay_sprockets(in, r, trace);
-  pull_silently(in, r, trace);
-  load_shafts(in, r, trace);
-  widen(in, r, trace);
-  hold_together(in, r, trace);
+  chain_pulls(in, r, trace);
+  required_width(in, r, trace);
+  breaking_safety(in, r, trace);
   return r;
 }
 

@@ -1,7 +1,8 @@
-// Links, centre distance and pitch circles of a chain around two sprockets, of any kind of chain.
+// Links, centre distance, pitch circles and shaft loads of a chain around two sprockets, of any kind of chain.
 #pragma once
 
 #include "calculators/chain/links.hpp"
+#include "calculators/load/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/format.hpp"
@@ -67,6 +68,19 @@ void lay_sprockets(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, d_2, in.p / sin(pi / in.z_2), "pitch circle through the pins, [Strokeforge]");
   STEP_TO(r, alpha_1, pi - 2.0 * asin((d_2 - d_1) / (2.0 * r.a)), "wrap, [Strokeforge]");
   STEP_TO(r, alpha_2, 2.0 * pi - alpha_1, "wrap of the other sprocket");
+}
+
+/// Maximum pull and shaft loads by the nominal, centrifugal and sag pulls. `depth`: pitch diameter less root diameter.
+template <class Input, class Result, class Tracer>
+void load_sprocket_shafts(const Input& in, Length depth, Result& r, Tracer& trace) {
+  STEP_TO(r, F, in.K_A * r.F_t + r.F_c + r.F_f, "maximum pull; service factor included");
+  STEP_TO(r, F_W, in.K_A * r.F_t + 2.0 * r.F_f,
+          "both strands, [Vunivere]; the centrifugal force does not load the shafts");
+  const Force none = 0.0 * N.one;
+  r.shaft_1 = shaft_load(in.K_A * r.T_1, {F_W, none, none}, r.d_1, in.n_1, 0.0);
+  r.shaft_2 = shaft_load(in.K_A * r.T_2, {F_W, none, none}, r.d_2, r.n_2, 0.0);
+  r.shaft_1.d_f = r.d_1 - depth, r.shaft_2.d_f = r.d_2 - depth;
+  r.shaft_1.kind = r.shaft_2.kind = Mounted::sprocket;
 }
 
 }  // namespace loadpath::chain

@@ -69,14 +69,7 @@ void pulls(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(r.v)) trace.value("v", v, "at rest: no speed is given");
   STEP_TO(r, F_c, in.strands * q * v * v, "centrifugal force, [Chain-laws]");
   STEP_TO(r, F_f, in.K_f * in.strands * q * g * r.a, "pull due to the sag of the slack strand, [Vunivere]");
-  STEP_TO(r, F, in.K_A * F_t + F_c + F_f, "maximum pull; service factor included");
-  STEP_TO(r, F_W, in.K_A * F_t + 2.0 * F_f, "both strands, [Vunivere]; the centrifugal force does not load the shafts");
-  const Force none = 0.0 * N.one;
-  r.shaft_1 = shaft_load(in.K_A * r.T_1, {F_W, none, none}, r.d_1, in.n_1, 0.0);
-  r.shaft_2 = shaft_load(in.K_A * T_2, {F_W, none, none}, r.d_2, r.n_2, 0.0);
-  const Length roller = thickest_roller * in.p;
-  r.shaft_1.d_f = r.d_1 - roller, r.shaft_2.d_f = r.d_2 - roller;
-  r.shaft_1.kind = r.shaft_2.kind = Mounted::sprocket;
+  load_sprocket_shafts(in, thickest_roller * in.p, r, trace);
 }
 
 template <class Tracer>

@@ -6,9 +6,9 @@
 // capacity of the chain. Wear and fatigue of plates and rollers govern a chain, not its breaking load: that safety
 // factor is not a sufficient criterion. The rated power of the chain manufacturer goes in as P_R, on the basis of ISO
 // 10823 (19 teeth, 15 000 h, 120 links). K_A acts once: on the tension from the power. Not covered: idlers, more than
-// two sprockets, vertical drives' sag. A bush chain differs by its joint area and breaking load only. The position of
-// the drive (theta, loaded) decides whether a slack strand above sags onto the tight one, and whether it needs a
-// tensioner.
+// two sprockets, the sag of vertical drives. A bush chain differs by its joint area and breaking load only. The
+// position of the drive (theta, loaded) decides whether a slack strand above sags onto the tight one, and whether it
+// needs a tensioner.
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"
@@ -37,10 +37,8 @@ struct Roller {
   static constexpr auto details = "{X} links, a = {a}, chain speed v = {v}, shaft load F_W = {F_W}";
   static constexpr auto synonyms =
       "roller chain, bush chain, chain drive, sprocket, ISO 606, ISO 10823, chain pull, chordal action, polygon "
-      "effect, "
-      "Rollenkette, Buchsenkette, Hülsenkette, Kettentrieb, Kettenrad, Polygoneffekt, chain, Kette, цепная передача, "
-      "роликовая цепь, втулочная цепь, "
-      "звёздочка";
+      "effect, Rollenkette, Buchsenkette, Hülsenkette, Kettentrieb, Kettenrad, Polygoneffekt, chain, Kette, цепная "
+      "передача, роликовая цепь, втулочная цепь, звёздочка";
   static constexpr auto example = R"([project]
 title = "Chain from a gear motor to a conveyor"
 

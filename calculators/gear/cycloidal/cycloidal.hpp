@@ -23,8 +23,7 @@ struct Cycloidal {
   static constexpr auto title = "Cycloidal gear pair, lantern pinion";
   static constexpr auto scope =
       "Geometry, contact ratio after the line of centres, pressure angle and sliding of a cycloidal wheel that drives "
-      "a "
-      "pinion with radial flanks or a lantern pinion; pinion addenda and tooth strength are not covered.";
+      "a pinion with radial flanks or a lantern pinion; pinion addenda and tooth strength are not covered.";
   static constexpr auto source = "[BS978-2], [TecScience-lantern]";
   static constexpr auto headline = "h_a2 = {h_a2}";
   static constexpr auto synonyms =

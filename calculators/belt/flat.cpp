@@ -1,6 +1,7 @@
 #include "calculators/belt/flat.hpp"
 
 #include "calculators/belt/figures.hpp"
+#include "calculators/belt/initial_tension.hpp"
 #include "calculators/belt/quarter_turn.hpp"
 #include "calculators/belt/shaft_load.hpp"
 #include "lib/calculator/calculator_of.hpp"
@@ -65,7 +66,7 @@ void size(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
 
 /// Lever arms of the spans about the pivot of the motor base. Reversed rotation exchanges the spans, and so the arms.
 template <class Tracer>
-void hang(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
+void lever_arms(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP(s_P, in.h_P / abs(in.h_P), "side of the pivot: 1 with the tight span, -1 with the slack span");
   STEP(x_P, is_set(in.x_P) ? in.x_P : 0.0 * mm, is_set(in.x_P) ? "as given" : "below or above the motor axis");
   STEP(e_P, in.d_1 / 2.0 + x_P * (in.arrangement == Arrangement::crossed ? -sin(r.gamma) : sin(r.gamma)),
@@ -77,31 +78,20 @@ void hang(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
 
 /// Tensions on a pivoted base: (S_1 - F_c) a_1 + (S_2 - F_c) a_2 = m_m g a_G, [Hibbeler-8-104].
 template <class Tracer>
-void balance(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
+void balance_moments(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP(g, 9.81 * m_per_s2, "gravity");
   STEP_TO(r, S_0_min, max(0.0 * N, r.F_t / (r.m_e - 1.0) * (r.m_e * r.a_1 + r.a_2) / (r.a_1 + r.a_2)),
           "moments about the pivot at the friction limit");
   STEP_TO(r, S_0, in.m_m * g * in.a_G / (r.a_1 + r.a_2), "moments about the pivot at standstill, [Hibbeler-8-104]");
   STEP_TO(r, m_min, in.m_m * S_0_min / S_0, "mass at the friction limit");
   STEP_TO(r, S_1, S_0 + r.F_c + r.F_t * r.a_2 / (r.a_1 + r.a_2), "tight span, by moments about the pivot");
+  STEP_TO(r, S_2, S_1 - r.F_t, "slack span");
+  STEP_TO(r, u_S, S_0_min / S_0, "friction condition");
   if (in.rotation != Flat::Rotation::both) return;
   STEP_TO(r, S_0r, max(0.0 * N, r.F_t / (r.m_e - 1.0) * (r.m_e * r.a_2 + r.a_1) / (r.a_1 + r.a_2)),
           "at the friction limit, the lever arms exchanged");
   STEP_TO(r, S_1r, S_0 + r.F_c + r.F_t * r.a_1 / (r.a_1 + r.a_2), "tight span, the lever arms exchanged");
   STEP_TO(r, u_Sr, S_0r / S_0, "friction condition, reversed rotation");
-}
-
-/// Tensions by the initial tension, given or the least one, of fixed centres or a constant force.
-template <class Tracer>
-void preload(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
-  STEP(N_min, r.F_t / 2.0 * (r.m_e + 1.0) / (r.m_e - 1.0),
-       "minimum mean of the tensions less centrifugal tension, [Shigley-17]");
-  const bool fixed = in.tensioning == Tensioning::fixed;
-  STEP(F_lost, in.tensioning == Tensioning::fixed ? r.F_c : 0.0 * N,
-       fixed ? "on fixed centres the centrifugal part relieves the pulleys" : "the tensioner makes up for it");
-  STEP_TO(r, S_0_min, N_min + F_lost, "minimum initial tension at standstill");
-  STEP_TO(r, S_0, is_set(in.S_0) ? in.S_0 : S_0_min, is_set(in.S_0) ? "as given" : "the least one");
-  STEP_TO(r, S_1, S_0 - F_lost + r.F_c + r.F_t / 2.0, "tight span");
 }
 
 /// The tensions in operation, and the friction that they use.
@@ -110,17 +100,15 @@ void tighten(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, x_b, r.b / min(in.d_1, in.d_2), "no belt is much wider than its smaller pulley");
   STEP_TO(r, F_c, in.rho * r.b * in.delta * r.v * r.v, "centrifugal tension; it does not load the pulleys");
   if (Flat::on_pivot(in)) {
-    hang(in, r, trace);
-    balance(in, r, trace);
+    lever_arms(in, r, trace);
+    balance_moments(in, r, trace);
   } else {
-    preload(in, r, trace);
+    tension_spans(r.F_t, in.S_0, in.tensioning == Tensioning::fixed, r, trace);
   }
-  STEP_TO(r, S_2, r.S_1 - r.F_t, "slack span");
-  if (S_2 > F_c) {
-    STEP_TO(r, mu_req, log((r.S_1 - F_c) / (S_2 - F_c)) / min(r.alpha_1, r.alpha_2),
+  if (r.S_2 > F_c) {
+    STEP_TO(r, mu_req, log((r.S_1 - F_c) / (r.S_2 - F_c)) / min(r.alpha_1, r.alpha_2),
             "friction that is used, [Shigley-17]");
   }
-  STEP_TO(r, u_S, r.S_0_min / r.S_0, "friction condition");
 }
 
 template <class Tracer>
@@ -162,7 +150,7 @@ void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
 /// The life by the S-N curve of the belt. Each pulley bends it once a revolution; both bends count with the stress of
 /// the smaller one.
 template <class Tracer>
-void last(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
+void belt_life(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   if (!is_set(in.sigma_f)) return;
   STEP_TO(r, N_B, in.N_f * pow(in.sigma_f / r.sigma_max, in.m_f), "S-N curve of the belt, [Shigley-17-3]");
   STEP_TO(r, L_h, N_B / r.f_B, "two bends per belt revolution, both with the maximum stress");
@@ -229,7 +217,7 @@ Flat::Result drive(const Flat::Input& in, Tracer& trace) {
   cross(in, r, trace);
   tighten(in, r, trace);
   judge(in, r, trace);
-  last(in, r, trace);
+  belt_life(in, r, trace);
   return r;
 }
 

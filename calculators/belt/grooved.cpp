@@ -1,6 +1,7 @@
 #include "calculators/belt/grooved.hpp"
 
 #include "calculators/belt/figures.hpp"
+#include "calculators/belt/initial_tension.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ void wedge(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
   STEP_TO(r, m_e, exp(r.mu_w * min(r.alpha_1, r.alpha_2)), "Euler's condition at the smaller wrap, [B40]");
 }
 
-/// What one belt or rib can take, and how much of it bending and its own mass use.
+/// Allowable tension of one belt or rib, and the parts of it that bending and its own mass use.
 template <class Tracer>
 void load_one(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
   if (is_set(in.q)) {
@@ -90,24 +91,13 @@ void count_strands(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) 
 
 template <class Tracer>
 void tighten_strands(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
-  STEP(F_1, r.F_t / r.z, "effective pull of one belt or rib");
-  STEP(N_min, F_1 / 2.0 * (r.m_e + 1.0) / (r.m_e - 1.0),
-       "minimum mean of the tensions less centrifugal tension, Euler's condition");
-  const bool fixed = in.tensioning == Grooved::Tensioning::fixed;
-  const Force F_lost = trace.value(
-      "F_lost", fixed ? r.F_c : 0.0 * r.F_c,
-      fixed ? "on fixed centres the centrifugal part relieves the grooves" : "the tensioner makes up for it");
-  STEP_TO(r, S_0_min, N_min + F_lost, "minimum initial tension at standstill");
-  STEP_TO(r, S_0, is_set(in.S_0) ? in.S_0 : S_0_min, is_set(in.S_0) ? "as given" : "the minimum");
-  STEP_TO(r, S_1, S_0 - F_lost + r.F_c + F_1 / 2.0, "tight span");
-  STEP_TO(r, S_2, S_1 - F_1, "slack span");
-  STEP_TO(r, u_S, S_0_min / S_0, "friction condition");
-  if (S_2 > r.F_c) {
-    STEP_TO(r, mu_req, in.mu / r.mu_w * log((S_1 - r.F_c) / (S_2 - r.F_c)) / min(r.alpha_1, r.alpha_2),
+  tension_spans(r.F_t / r.z, in.S_0, in.tensioning == Grooved::Tensioning::fixed, r, trace);
+  if (r.S_2 > r.F_c) {
+    STEP_TO(r, mu_req, in.mu / r.mu_w * log((r.S_1 - r.F_c) / (r.S_2 - r.F_c)) / min(r.alpha_1, r.alpha_2),
             "friction that is used");
   }
   if (is_set(r.S_all)) {
-    STEP_TO(r, u_T, (S_1 + r.S_b) / r.S_all, "strength condition");
+    STEP_TO(r, u_T, (r.S_1 + r.S_b) / r.S_all, "strength condition");
   }
 }
 

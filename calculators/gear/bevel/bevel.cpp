@@ -4,6 +4,8 @@
 #include "calculators/gear/bevel/rating.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
+#include <cmath>
+
 namespace loadpath::gear {
 
 namespace bevel {

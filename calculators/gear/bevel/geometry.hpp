@@ -2,10 +2,8 @@
 #pragma once
 
 #include "calculators/gear/bevel/types.hpp"
-#include "calculators/gear/involute.hpp"
+#include "calculators/gear/tooth_form.hpp"
 #include "lib/calculator/trace.hpp"
-
-#include <cmath>
 
 namespace loadpath::gear::bevel {
 
@@ -62,11 +60,10 @@ void rims(const Input& in, Result& r, Tracer& trace) {
   }
 }
 
-/// Tip thickness over module of a spur gear with z_v teeth: by the involute from the pitch circle to the tip.
+/// Tip thickness over module of a spur gear with z_v teeth.
 inline double tip_thickness(const Input& in, double z_v, double x) {
   const double tip = z_v + 2.0 * (in.h_aP + x);
-  const double alpha_a = std::acos(z_v * std::cos(in.alpha) / tip);
-  return tip * ((pi / 2.0 + 2.0 * x * std::tan(in.alpha)) / z_v + involute(in.alpha) - involute(alpha_a));
+  return tip * half_angle(in.alpha, z_v, x, 0.5 * tip);
 }
 
 /// The spur gears on the back cones, in modules, by Tredgold.

@@ -10,21 +10,25 @@ using Input = WormTypes::Input;
 using Result = WormTypes::Result;
 
 template <class Tracer>
+double sliding_in_feet(const Result& r, Tracer& trace) {
+  return NAMED_STEP("v_f", r.v_s / (0.00508 * m_per_s), "sliding velocity in ft/min");
+}
+
+template <class Tracer>
 double friction(const Input& in, const Result& r, Tracer& trace) {
   if (is_set(in.mu)) return trace.value("mu", in.mu, "as given");
-  STEP(v_f, r.v_s / (0.00508 * m_per_s), "sliding velocity in ft/min");
+  const double v_f = sliding_in_feet(r, trace);
   if (v_f < 10.0) return NAMED_STEP("mu", 0.124 * exp(-0.074 * pow(v_f, 0.645)), "below 10 ft/min, [AGMA6034]");
   return NAMED_STEP("mu", 0.103 * exp(-0.110 * pow(v_f, 0.450)) + 0.012, "from 10 ft/min on, [AGMA6034]");
 }
 
 template <class Tracer>
-double materials_factor(const Input& in, const Result& r, Tracer& trace) {
+double materials_factor(WormTypes::Casting casting, double D_G, Tracer& trace) {
   using Casting = WormTypes::Casting;
-  STEP(D_i, r.d_2 / (25.4 * mm), "reference diameter of the wheel in inches");
-  STEP(lg_D, log(D_i) / log(10.0), "its logarithm to the base 10");
-  if (in.casting == Casting::sand)
+  STEP(lg_D, log(D_G) / log(10.0), "its logarithm to the base 10");
+  if (casting == Casting::sand)
     return NAMED_STEP("C_s0", min(1000.0, 1190.0 - 477.0 * lg_D), "sand-cast bronze, [AGMA6034]");
-  if (in.casting == Casting::chill)
+  if (casting == Casting::chill)
     return NAMED_STEP("C_s0", min(1000.0, 1412.0 - 456.0 * lg_D), "chill-cast bronze, [AGMA6034]");
   return NAMED_STEP("C_s0", min(1000.0, 1251.0 - 180.0 * lg_D), "centrifugally cast bronze, [AGMA6034]");
 }
@@ -42,7 +46,7 @@ double ratio_factor(double ratio_of_teeth, Tracer& trace) {
 
 template <class Tracer>
 double velocity_factor(const Result& r, Tracer& trace) {
-  STEP(v_f, r.v_s / (0.00508 * m_per_s), "sliding velocity in ft/min");
+  const double v_f = sliding_in_feet(r, trace);
   if (v_f < 700.0) return NAMED_STEP("C_v", 0.659 * exp(-0.0011 * v_f), "below 700 ft/min, [AGMA6034]");
   if (v_f < 3000.0) return NAMED_STEP("C_v", 13.31 * pow(v_f, -0.571), "700 to 3000 ft/min, [AGMA6034]");
   return NAMED_STEP("C_v", 65.52 * pow(v_f, -0.774), "from 3000 ft/min on, [AGMA6034]");
@@ -51,7 +55,8 @@ double velocity_factor(const Result& r, Tracer& trace) {
 template <class Tracer>
 void rate_wear(const Input& in, Result& r, Tracer& trace) {
   if (in.casting == WormTypes::Casting::unsaid || !is_set(r.v_s)) return;
-  const double C_s0 = materials_factor(in, r, trace);
+  STEP(D_G, r.d_2 / (25.4 * mm), "reference diameter of the wheel in inches");
+  const double C_s0 = materials_factor(in.casting, D_G, trace);
   STEP(a_i, r.a / (25.4 * mm), "centre distance in inches");
   STEP_TO(r, C_s, a_i < 3.0 ? min(C_s0, 720.0 + 10.37 * pow<3>(a_i)) : C_s0,
           "small gears, [EngineersEdge-worm], [Shigley-15-32]");
@@ -61,7 +66,6 @@ void rate_wear(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, x_s, r.v_s / (30.0 * m_per_s), "6000 ft/min");
   if (!is_set(r.C_m)) return;
   STEP(F_i, r.F_e / (25.4 * mm), "effective face width in inches");
-  STEP(D_G, r.d_2 / (25.4 * mm), "reference diameter of the wheel in inches");
   STEP_TO(r, W_tR, 4.44822 * C_s * pow(D_G, 0.8) * F_i * r.C_m * r.C_v * N, "[AGMA6034], in pounds");
   if (!is_set(r.F_t2)) return;
   STEP_TO(r, S_W, W_tR / (in.K_A * r.F_t2), "rated over tangential force");

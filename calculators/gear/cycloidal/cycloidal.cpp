@@ -27,7 +27,7 @@ struct CycloidFlank {
     const double l = distance(theta), half = 0.5 * theta;
     return theta * rho / r_2 - std::atan2(l * std::cos(half), r_2 + l * std::sin(half));
   }
-  /// Where the flank begins: its radius of curvature, that of the epicycloid less that of the pin, is zero.
+  /// Start of the flank: its radius of curvature, that of the epicycloid less that of the pin, is zero.
   [[nodiscard]] double start() const {
     return 2.0 * std::asin(std::min(1.0, r_p * (r_2 + 2.0 * rho) / (4.0 * rho * (r_2 + rho))));
   }
@@ -61,7 +61,7 @@ double pointed_angle(const Cycloidal::Input& in) {
   return angle_where([&](double theta) { return flank.polar(theta); }, middle_of(in), flank.start(), pi);
 }
 
-/// Where the flank ends at a tip of this radius.
+/// End of the flank at a tip of this radius.
 double tip_angle(const Cycloidal::Input& in, double radius) {
   const CycloidFlank flank = flank_of(in);
   return angle_where([&](double theta) { return flank.radius(theta); }, radius, flank.start(), pointed_angle(in));
@@ -104,7 +104,9 @@ Cycloidal::Result Cycloidal::evaluate(const Input& in, Tracer& trace) {
   Result r;
   take_wheel(in, r, trace);
   const CycloidFlank flank = flank_of(in);
-  STEP(rho, in.pinion == Pinion::pins ? r.d_1 / 2.0 : r.d_1 / 4.0, "radius of the rolling circle");
+  const Length rho = trace.value("rho", flank.rho * m,
+                                 is_lantern(in) ? "radius of the rolling circle: that of the pitch circle of the pins"
+                                                : "radius of the rolling circle: half that of the pitch circle");
   const double theta_a = trace.angle("theta_a", tip_angle(in, in_si(r.d_a2) / 2.0),
                                      "rotation of the rolling circle until the tip leaves the pinion");
   const double theta_e =

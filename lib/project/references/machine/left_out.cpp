@@ -1,11 +1,10 @@
 #include "lib/project/references/machine/left_out.hpp"
 
+#include "lib/project/references/agreement/stated_names.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/kinds.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -19,11 +18,10 @@ constexpr double implausible_ratio =
 /// Whether a value of [values] is named as such a load, or as one of a start, a jam or a test: "F_r", "T_start",
 /// "F_max" of T and F; other names may be notes.
 bool is_named_as_peak(const std::string& name, const std::string& symbol) {
-  constexpr std::array ends{"start", "starting", "max",   "peak", "jam", "stall",
-                            "brake", "braking",  "shock", "test", "t"};
   const std::size_t end = name.rfind('_');
   if (end == std::string::npos || name == symbol) return name == symbol;
-  return name[0] == symbol[0] && std::ranges::find(ends, name.substr(end + 1)) != ends.end();
+  const std::string index = name.substr(end + 1);
+  return name[0] == symbol[0] && (is_of_peak(index) || index == "test" || index == "t");
 }
 
 /// A stress is no load that another one of [values] could be meant for: that may be a strength.

@@ -17,7 +17,7 @@ struct CrossedForces {
   Force x, y_1, y_2;
 };
 
-/// Spans, wraps, and what is missing of a and L.
+/// Spans, wraps, and the missing one of a and L.
 template <class Result, class Tracer>
 void lay_quarter_turn(const Pulleys& pulleys, Result& r, Tracer& trace) {
   r.a = pulleys.a, r.L = pulleys.L;

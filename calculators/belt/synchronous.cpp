@@ -22,7 +22,7 @@ Pulleys toothed_pulleys(const Synchronous::Input& in, double z_B) {
           z_B > 0.0 ? z_B * in.p_b : unset<Length>};
 }
 
-/// The centre distance at which the pitch circles touch, and the number of belt teeth around them there.
+/// The centre distance at which the pitch circles touch.
 Length least_centre(const Synchronous::Input& in) {
   return (pitch_diameter(in.z_1, in.p_b) + pitch_diameter(in.z_2, in.p_b)) / 2.0;
 }
@@ -37,7 +37,7 @@ double teeth_at(const Synchronous::Input& in, Length a) {
   return in_si(r.L) / in_si(in.p_b);
 }
 
-/// The least number of belt teeth with which the pulleys have clearance.
+/// The minimum number of belt teeth with which the pulleys have clearance.
 double least_teeth(const Synchronous::Input& in) {
   return std::floor(teeth_at(in, least_centre(in)) + last_bits) + 1.0;
 }
@@ -68,7 +68,7 @@ void lay_teeth(const Synchronous::Input& in, Synchronous::Result& r, Tracer& tra
   STEP_TO(r, f_B, 2.0 * r.v / L, "two bends per belt revolution");
 }
 
-/// Teeth in mesh, whole, and the factor of the rating.
+/// Complete teeth in mesh, and the factor of the rating.
 template <class Tracer>
 void mesh(const Synchronous::Input& in, Synchronous::Result& r, Tracer& trace) {
   STEP(z_k, min(in.z_1, in.z_2), "teeth of the smaller pulley");
@@ -160,7 +160,7 @@ Synchronous::Result Synchronous::evaluate(const Input& in, Tracer& trace) {
   turn_pulleys(in, r, trace);
   lay_teeth(in, r, trace);
   mesh(in, r, trace);
-  if (!is_set(in.b)) return r;  // a search gives it
+  if (!is_set(in.b)) return r;  // a search finds it
   rate_teeth(in, r, trace);
   stretch(in, r, trace);
   limit_teeth(in, r, trace);

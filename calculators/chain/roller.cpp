@@ -33,7 +33,7 @@ void position(const Input& in, Result& r, Tracer& trace) {
        "sag factor, linear between 6 at 0 deg, 3 at 40 deg and 1 at 90 deg, [Vunivere]");
   STEP_TO(r, f_s, r.a * cos(theta_c) / (8.0 * min(in.K_f, K_theta)), "q g cos(theta) a^2/(8 F_f), [Chain-sag]");
   if (in.loaded == Roller::Loaded::upper) return;
-  STEP(h_p, 0.95 * in.p, "largest depth of the plates of ISO 606, [Donghua]");
+  STEP(h_p, 0.95 * in.p, "maximum depth of the plates of ISO 606, [Donghua]");
   STEP_TO(r, g_s, (r.d_1 + r.d_2) / 2.0 - f_s - h_p, "the strands must not touch, [Chain-guide]");
 }
 

@@ -1,4 +1,4 @@
-// What a range of the time shows of a path: its limits, and its equation without the time.
+// The limits of a path over a range of time, and its equation without the time.
 #pragma once
 
 #include "calculators/motion/elimination/path_equation.hpp"

@@ -26,7 +26,7 @@ enum class Crowning { none, crowned, end_relief };
 /// The place of the pinion on its shaft, [DIN3990-11].
 enum class Place { untold, middle, a, b, c, d, e };
 enum class Pattern { unfavourable, favourable };
-/// Whose factors of load, contact stress and root stress apply.
+/// Standard of the factors for load, contact stress and root stress.
 enum class RatingStandard { din3990, iso6336 };
 /// Edition of ISO 6336-3 for form and helix factors of the root.
 enum class RootEdition { of_2006, of_2019 };

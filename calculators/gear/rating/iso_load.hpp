@@ -1,5 +1,5 @@
 // Load factors of [ISO6336-1], edition 2006: K_V by method B, K_Hbeta by method C, K_Halpha by method B; as read in
-// three open programs, with corrigendum 1 of 2008. From memory: the least misalignment F_betaxmin.
+// three open programs, with corrigendum 1 of 2008. From memory: the minimum misalignment F_betaxmin.
 #pragma once
 
 #include "calculators/gear/rating/iso_stiffness.hpp"
@@ -78,7 +78,7 @@ void dynamic_factor_iso(const Input& in, const PairResult& g, const Runners& run
        N_res <= N_S    ? K_N
        : N_res <= 1.15 ? K_main
                        : K_above + (K_main - K_above) * max(1.5 - N_res, 0.0) / 0.35,
-       "of the range of N_res; linear from 1.15 to 1.5, [ISO6336-1] 2006, (22)");
+       "by the range of N_res; linear from 1.15 to 1.5, [ISO6336-1] 2006, (22)");
   STEP_TO(r, K_V, max(K_free, 1.0), "dynamic factor, at least 1 on the safe side");
 }
 
@@ -104,13 +104,13 @@ void deflection_iso(const Input& in, const PairResult& g, double w_m, Result& r,
           "equivalent misalignment due to pinion and shaft deformation, [ISO6336-1] 2006, 7.5.2");
 }
 
-/// Misalignment before running in, not below what a pair of the grade has at least.
+/// Misalignment before running in, not below the minimum of a pair of the grade.
 template <class Tracer>
 void misalignment_iso(const Input& in, const PairResult& g, double w_m, Result& r, Tracer& trace) {
   const PairTolerances tolerances = tolerances_of(in, g, in.grade);
   const double B_1 = trace.value("B_1", lead_relief(in.crowning), "factor of the deflection by the lead modification");
   const Length f_Hbeta = trace.value("f_Hbeta", tolerances.f_Hbeta() * um.one, "helix slope deviation, [ISO1328-1]");
-  STEP(F_betaxmin, max(0.005 * w_m * um, 0.5 * f_Hbeta), "least misalignment, [ISO6336-1] 2006, from memory");
+  STEP(F_betaxmin, max(0.005 * w_m * um, 0.5 * f_Hbeta), "minimum misalignment, [ISO6336-1] 2006, from memory");
   const Length f_sh = r.f_sh;
   if (in.pattern == Pattern::favourable) {
     const Length f_Hbeta5 = trace.value("f_Hbeta5", tolerances_of(in, g, 5.0).f_Hbeta() * um.one,
@@ -155,7 +155,7 @@ void face_load_of_roots_iso(const Input& in, const Wheel& one, const Wheel& two,
   r.K_Fbeta2 = trace.value("K_Fbeta2", K_Fbeta1, "that of gear 1: one exponent for both gears");
 }
 
-/// Among the teeth in contact.
+/// Transverse load factors: the load shared by the teeth in contact.
 template <class Tracer>
 void transverse_factors_iso(const Input& in, const PairResult& g, Result& r, Tracer& trace) {
   const double eps_alpha = trace.value("eps_alpha", g.eps_alpha, "transverse contact ratio");

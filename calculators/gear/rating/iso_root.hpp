@@ -13,7 +13,7 @@ double load_distribution(double eps_an, const PairResult& g, Tracer& trace) {
   if (eps_beta <= 0.0) {
     return trace.value("f_eps", eps_an < 2.0 ? 1.0 : 0.7, "spur gears: 0.7 from eps_an of 2 on, [ISO6336-3-2019]");
   }
-  const double n_p = trace.value("n_p", eps_an < 2.0 ? 1.0 : 2.0, "pairs of spur teeth in contact at least");
+  const double n_p = trace.value("n_p", eps_an < 2.0 ? 1.0 : 2.0, "minimum number of pairs of spur teeth in contact");
   STEP(s_beta, min(eps_beta, 1.0), "overlap ratio, 1 at most");
   return NAMED_STEP("f_eps", sqrt((1.0 - s_beta) / n_p + s_beta / eps_an),
                     "load distribution influence factor, [ISO6336-3-2019]");

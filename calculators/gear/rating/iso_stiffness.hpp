@@ -1,4 +1,4 @@
-// Stiffness of a mesh by [ISO6336-1], edition 2006, clause 9, method B: what the load factors of ISO 6336 rest on.
+// Stiffness of a mesh by [ISO6336-1], edition 2006, clause 9, method B, for the load factors of ISO 6336.
 #pragma once
 
 #include "calculators/gear/rating/load_factors.hpp"

@@ -16,12 +16,12 @@ double mean_of_range(double size, const std::array<double, n>& bounds) {
   return std::sqrt(bounds[i - 1] * bounds[i]);
 }
 
-/// Whole um above 10 um, halves from 5 um on, tenths below.
+/// Rounding to 1 um above 10 um, to 0.5 um from 5 um on, to 0.1 um below.
 inline double rounded_tolerance(double f) {
   return f > 10.0 ? std::round(f) : f >= 5.0 ? std::round(2.0 * f) / 2.0 : std::round(10.0 * f) / 10.0;
 }
 
-/// Of one gear, um.
+/// Tolerances of one gear, um.
 struct Tolerances {
   double f_pt, f_falpha, f_Hbeta;  // single pitch, profile form, helix slope
 };
@@ -37,7 +37,7 @@ inline Tolerances tolerances_of(Length d, Length m_n, Length b, double grade) {
           rounded_tolerance(step * (0.07 * root_d + 0.45 * root_b + 3.0))};
 }
 
-/// Of both gears of a pair at one grade.
+/// Tolerances of both gears of a pair at one grade.
 struct PairTolerances {
   Tolerances one, two;
   [[nodiscard]] double f_pt() const { return std::max(one.f_pt, two.f_pt); }

@@ -5,7 +5,7 @@
 // ISO 6336 for machinery, with the helix factor of DIN 3990-2; or ISO 6336-1, -2 and -3:2006, method B, the load over
 // the face width by method C. Allowable stress numbers by ISO 6336-5 or as given. Loads nominal, with the application
 // factor K_A; T_1 is the torque of gear 1. Not covered: inner teeth, DIN 3990 beyond its dynamic constants, webs, load
-// spectra, scuffing, micropitting, case crushing; ISO 6336 of 2019 but Y_F and Y_beta, form circles of protuberance
+// spectra, scuffing, micropitting, case crushing; ISO 6336 of 2019 except Y_F and Y_beta, form circles of protuberance
 // tools, grinding notches. From memory: moduli of irons, f_ma of DIN 3990 where it is not given, F_betaxmin, Y_A of
 // idlers, numbers of ISO clauses.
 #pragma once

@@ -28,7 +28,7 @@ void lay_out(const Input& in, Result& r, Tracer& trace) {
   STEP(alpha_x, atan(tan(in.alpha_n) / cos(gamma)), "axial pressure angle");
   STEP_TO(r, z_min, 2.0 * in.h_aP / pow<2>(sin(alpha_x)), "a rack in the middle plane cuts the wheel");
   STEP_TO(r, x_z, in.z_2 / z_min, "undercut condition");
-  STEP_TO(r, F_e, min(in.b_2, 0.67 * in.d_1), "a wider face does not count");
+  STEP_TO(r, F_e, min(in.b_2, 0.67 * in.d_1), "a wider face is not included");
 }
 
 template <class Tracer>

@@ -1,4 +1,4 @@
-// A flat end in section: its thickness with what corrosion takes, the diameter that the pressure acts on.
+// A flat end in section: its thickness with the corrosion allowance, the diameter that the pressure acts on.
 #include "calculators/vessel/ends/flat.hpp"
 #include "lib/figure/drawing.hpp"
 #include "lib/text/issue.hpp"

@@ -125,7 +125,7 @@ std::string shorter(const Item& item) {
   return "<" + name + std::string(item.attributes) + ">" + inner + "</" + name + ">";
 }
 
-/// The elements of a row: what is text as one text, if this is shorter.
+/// The elements of a row: neighbouring ones that are text as one text, if this is shorter.
 std::string shorter_row(std::string_view markup) {
   std::string out, text;
   std::string_view written;  // the markup of the text

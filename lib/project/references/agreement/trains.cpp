@@ -79,8 +79,8 @@ void compare_stages(const Step& train, const Project& project, std::vector<Reduc
     const auto other = std::ranges::find_if(stages, is_less_loaded);
     if (other == stages.end()) continue;
     found.push_back(
-        {"stages", say("a step takes the size of {1}, and none that of {2}, which has the larger torque and "
-                       "no larger module: add a step for it, or because.stages = \"...\"",
+        {"stages", say("a step assesses {1}, and none {2}, which has the larger torque and no larger module: "
+                       "add a step for it, or because.stages = \"...\"",
                        other->path, stage.path)});
     return;
   }
@@ -159,8 +159,8 @@ class WheelCheck {
   void compare_ratio(const std::string& train, std::size_t k) {
     if (is_behind(train, k)) return;
     found_.push_back(
-        {"d_2", say("the driven wheel has {1}, and the next shaft of '{2}', whose load is used, has {3}: correct the "
-                    "diameters or the stage, or because.d_2 = \"...\"",
+        {"d_2", say("the driven wheel rotates at {1}, and the next shaft of '{2}', whose load is used, at {3}: correct "
+                    "the diameters or the stage, or because.d_2 = \"...\"",
                     format_quantity(n_2_, "rpm", 4), train,
                     format_quantity(at_shaft(project_, train, k + 1, "n"), "rpm", 4))});
   }

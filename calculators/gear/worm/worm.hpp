@@ -102,7 +102,8 @@ dT_adm = "60 K"
           .within(0.005, 0.3)
           .usually(0.01, 0.15)
           .may_be_missing(),
-      Choice{&Input::locking, "locking", "self-locking"}.may_be_missing(),
+      Choice{&Input::locking, "locking", "self-locking, by mu or the friction at n_1 (without vibration)"}
+          .may_be_missing(),
       Field{&Input::bore_2, "bore_2", mm, "bore diameter of the wheel"}.positive().may_be_missing(),
       Choice{&Input::casting, "casting", "bronze of the wheel, on a steel worm of 58 HRC or more"}.may_be_missing(),
       Field{&Input::S_Wmin, "S_Wmin", ratio, "required safety factor against pitting and wear"}

@@ -2,6 +2,7 @@
 #include "calculators/column/buckling_parts.hpp"
 #include "calculators/column/member/length_factor.hpp"
 #include "lib/figure/drawing.hpp"
+#include "lib/figure/point.hpp"
 #include "lib/text/issue.hpp"
 
 #include <algorithm>
@@ -66,13 +67,7 @@ Points mirrored_all(const Points& quarter) {
   return all;
 }
 
-Points circle(double radius) {
-  constexpr int corners = 180;
-  Points points;
-  for (int i = 0; i < corners; ++i)
-    points.push_back({radius * std::cos(2.0 * pi * i / corners), radius * std::sin(2.0 * pi * i / corners)});
-  return points;
-}
+Points circle(double radius) { return figure::polygon_of_circle({}, radius, 180); }
 
 /// An I with its fillets: a quarter, from the tip of the flange to the middle of the web, and the rest of it.
 Points i_outline(double h, double b, double t_f, double t_w, double r) {

@@ -1,6 +1,7 @@
 // Friction wheels to scale: both wheels with the forces between them, and the contact; bevel wheels by their cones.
 #include "calculators/drive/friction_wheels.hpp"
 #include "lib/figure/drawing.hpp"
+#include "lib/figure/point.hpp"
 #include "lib/text/issue.hpp"
 
 #include <algorithm>
@@ -12,10 +13,9 @@ namespace loadpath::drive {
 
 namespace {
 
+using figure::at_angle;
 using figure::Drawing;
 using figure::Point;
-
-Point at_angle(double angle, double radius) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
 void add_wheel(Point centre, double d, const char* symbol, Drawing::Side side, Drawing::Turn turn,
                Drawing::View& view) {

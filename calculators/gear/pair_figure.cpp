@@ -2,6 +2,7 @@
 #include "calculators/gear/pair.hpp"
 #include "calculators/gear/pair_bodies.hpp"
 #include "lib/figure/drawing.hpp"
+#include "lib/figure/point.hpp"
 #include "lib/text/issue.hpp"
 
 #include <algorithm>
@@ -216,15 +217,7 @@ Body second_body(const Pair::Input& in, const PairResult& r) {
   return b;
 }
 
-std::vector<Point> rim_of(Point centre, double radius) {
-  constexpr int corners = 360;
-  std::vector<Point> points;
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 2.0 * pi * i / corners;
-    points.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
-  }
-  return points;
-}
+std::vector<Point> rim_of(Point centre, double radius) { return figure::polygon_of_circle(centre, radius, 360); }
 
 std::vector<figure::Figure> Pair::figures(const Input& in, const Result& r) {
   if (!is_set(r.eps_alpha) || !is_set(r.j_bn) || !has_teeth(in, r)) return {};

@@ -1,6 +1,7 @@
 // A key in the section across the shaft, with the depths of both keyways and its forces, and along the shaft.
 #include "calculators/shaft/key.hpp"
 #include "lib/figure/drawing.hpp"
+#include "lib/figure/point.hpp"
 #include "lib/text/issue.hpp"
 
 #include <cmath>
@@ -45,13 +46,7 @@ Points slotted(const KeySizes& s, double bottom) {
   return outline;
 }
 
-Points circle_points(double radius) {
-  constexpr int steps = 90;
-  Points points;
-  for (int k = 0; k < steps; ++k)
-    points.push_back({radius * std::cos(2.0 * pi * k / steps), radius * std::sin(2.0 * pi * k / steps)});
-  return points;
-}
+Points circle_points(double radius) { return figure::polygon_of_circle({}, radius, 90); }
 
 void add_box(double left, double right, double low, double high, Drawing::Kind kind, const std::string& name,
              Drawing::View& view) {

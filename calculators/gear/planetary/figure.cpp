@@ -3,6 +3,7 @@
 #include "calculators/gear/planetary/meshes.hpp"
 #include "calculators/gear/planetary/planetary.hpp"
 #include "lib/figure/drawing.hpp"
+#include "lib/figure/point.hpp"
 #include "lib/text/issue.hpp"
 
 #include <algorithm>
@@ -13,10 +14,9 @@ namespace loadpath::gear {
 
 namespace {
 
+using figure::at_angle;
 using figure::Drawing;
 using figure::Point;
-
-Point at_angle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
 /// The bodies with their teeth in mesh.
 struct Set {
@@ -37,7 +37,7 @@ Set set_of(const Planetary::Input& in, const SetMeshes& m, const Planetary::Resu
   for (int k = 0; k < in.N_p; ++k) {
     Body b = planet;
     const double theta = 0.5 * pi + step * std::round(k * r.q);
-    b.at = at_angle(set.carrier, theta);
+    b.at = at_angle(theta, set.carrier);
     // A space of the planet faces the tooth of the sun: both move in the same direction through the pitch point.
     b.turn = theta + pi + 2.0 * pi / in.z_p * (past(theta, set.sun.turn, in.z_s) + 0.5);
     set.planets.push_back(b);
@@ -110,7 +110,7 @@ void add_members(const Planetary::Input& in, const Planetary::Result& r, const S
   const Member members[] = {
       {"sun", "n_s", r.n_s, Point{}, {}, 0.62 * set.sun.r_f, -0.5 * pi, {-x, y}, teeth("z_s", in.z_s)},
       {"planet", "n_p", r.n_p, planet.at, planet.at, 0.62 * planet.r_f, 0.5 * pi, {x, y}, teeth("z_p", in.z_p)},
-      {"carrier", "n_c", r.n_c, at_angle(set.carrier, between), {}, set.carrier, between, {-x, -0.8 * y}, {}},
+      {"carrier", "n_c", r.n_c, at_angle(between, set.carrier), {}, set.carrier, between, {-x, -0.8 * y}, {}},
       {"ring", "n_r", r.n_r, std::nullopt, {}, 1.04 * rim, 0.0, {x, -0.8 * y}, teeth("z_r", r.z_r)}};
   for (const Member& m : members) add_member(m, 0.12 * rim, view);
 }

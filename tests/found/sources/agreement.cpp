@@ -148,6 +148,23 @@ TEST_SUITE("found disagreements") {
     CHECK(shaft("orders = [{ name = \"blades\", h = 20 }, { name = \"gear\", h = 21 }]") == "pass");
   }
 
+  TEST_CASE("the orders of a worm shaft include the mesh of its threads") {
+    const auto shaft = [](const std::string& orders) {
+      return how(
+          "[gears]\ncalculator = \"gear.worm\"\nz_1 = 2\nz_2 = 40\nm_x = \"4 mm\"\nd_1 = \"40 mm\"\nb_2 = \"30 mm\"\n"
+          "P = \"0.6 kW\"\nn_1 = \"1400 rpm\"\n[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\n"
+          "group = \"carbon-steel\"\npieces = [{ name = \"all\", l = \"200 mm\", d = \"24 mm\" }]\n"
+          "supports = [{ name = \"left\", x = \"10 mm\", holds = \"both\" }, { name = \"right\", x = \"190 mm\" }]\n"
+          "seats = [{ name = \"end\", x = \"0 mm\", T = \"=gears.worm.T\", way = \"drives\" }, { name = \"worm\", x = "
+          "\"100 mm\", load = \"=gears.worm\", way = \"takes\", integral = true }]\n"
+          "k_max = 2\nS_F = 1.5\nS_D = 1.5\nr_T = 0\nR_z = \"6.3 um\"\norders = [" +
+              orders + "]\n",
+          "shaft", "fatigue");
+    };
+    CHECK(shaft("{ name = \"blades\", h = 20 }") == "not-judged");
+    CHECK(shaft("{ name = \"blades\", h = 20 }, { name = \"mesh\", h = 2 }") == "pass");
+  }
+
   TEST_CASE("a gear on a shaft weighs and turns as its size allows") {
     const auto shaft = [](const std::string& mass, const std::string& I_p) {
       const std::string was = "mass = \"8 kg\", J = \"0.035 kg*m^2\", I_p = \"0.035 kg*m^2\"";

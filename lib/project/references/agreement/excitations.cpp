@@ -19,12 +19,14 @@ bool is_of_teeth(const std::string& name) {
          name.find("mesh") != std::string::npos;
 }
 
-/// The teeth of the gear that a load of a shaft comes from: "gears.z_2" of "=gears.gear_2"; NaN without a gear.
+/// The teeth of the gear, or the threads of the worm, that a load of a shaft comes from: "gears.z_2" of
+/// "=gears.gear_2"; NaN without a gear.
 double teeth_of(const Taken& record, const Project& project) {
   if (!record.path.ends_with(".load")) return std::nan("");
   const auto [pair, gear] = split_step(record.source);
-  if (gear != "gear_1" && gear != "gear_2") return std::nan("");
-  return magnitude_at(project, pair + ".z_" + gear.substr(5));
+  if (gear == "gear_1" || gear == "worm") return magnitude_at(project, pair + ".z_1");
+  if (gear == "gear_2" || gear == "wheel") return magnitude_at(project, pair + ".z_2");
+  return std::nan("");
 }
 
 bool is_multiple(double h, double z) { return h >= z - 1e-6 && std::abs(h / z - std::round(h / z)) <= 1e-6; }

@@ -7,7 +7,7 @@
 // loads; the records worm and wheel have K_A. Heat is that of the nominal power. C_s below a centre distance of 3 in:
 // 720 + 10.37 C^3, as in [EngineersEdge-worm] and [Shigley-15-32], continuous at 3 in, where C_s is 1000; a reprint
 // with 270 jumps there and is a misprint of 720. Recalled: the heat transfer of the case, 0.67 d_1 (the sheet of
-// [AGMA6034] has d_1/3). Not covered: driving wheels other than their efficiency, globoid worms, other materials than
+// [AGMA6034] has d_1/3). Not covered: driving wheels, except for their efficiency, globoid worms, other materials than
 // bronze on steel, losses of bearings, seals and churning.
 #pragma once
 

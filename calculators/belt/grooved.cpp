@@ -14,7 +14,7 @@ namespace {
 Pulleys grooved_pulleys(const Grooved::Input& in) { return {in.d_1, in.d_2, in.a, in.L, Arrangement::open}; }
 
 template <class Tracer>
-void run_in_grooves(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
+void grooved_geometry(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
   STEP_TO(r, i, in.d_2 / in.d_1 / (1.0 - in.epsilon), "transmission ratio with slip, [B40]");
   STEP_TO(r, n_2, in.n_1 / i, "speed of the driven pulley");
   STEP_TO(r, v, in.n_1 * in.d_1 / 2.0, "belt speed");
@@ -41,7 +41,7 @@ void wedge(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
 
 /// Allowable tension of one belt or rib, and the parts of it that bending and its own mass use.
 template <class Tracer>
-void load_one(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
+void allowable_tension(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
   if (is_set(in.q)) {
     STEP_TO(r, F_c, in.q * r.v * r.v, "centrifugal tension; it does not press the belt into the grooves");
   } else {
@@ -66,7 +66,7 @@ void load_one(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
 
 /// The required number by the allowable tension and by the rating, whichever is larger.
 template <class Tracer>
-void count_strands(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
+void required_number(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
   double required = 0.0;
   if (r.S_N > from_si<Force>(0.0)) {
     STEP(z_S, r.F_t / (r.S_N * (1.0 - 1.0 / r.m_e)), "tension and friction both at their limit");
@@ -90,7 +90,7 @@ void count_strands(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) 
 }
 
 template <class Tracer>
-void tighten_strands(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
+void grooved_tensions(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
   tension_spans(r.F_t / r.z, in.S_0, in.tensioning == Grooved::Tensioning::fixed, r, trace);
   if (r.S_2 > r.F_c) {
     STEP_TO(r, mu_req, in.mu / r.mu_w * log((r.S_1 - r.F_c) / (r.S_2 - r.F_c)) / min(r.alpha_1, r.alpha_2),
@@ -130,11 +130,11 @@ FieldFault Grooved::pulleys_overlap(const Input& in) { return overlap(grooved_pu
 template <class Tracer>
 Grooved::Result Grooved::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  run_in_grooves(in, r, trace);
+  grooved_geometry(in, r, trace);
   wedge(in, r, trace);
-  load_one(in, r, trace);
-  count_strands(in, r, trace);
-  tighten_strands(in, r, trace);
+  allowable_tension(in, r, trace);
+  required_number(in, r, trace);
+  grooved_tensions(in, r, trace);
   load_grooved_shafts(in, r, trace);
   limit_grooved(in, r, trace);
   return r;

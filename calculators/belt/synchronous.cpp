@@ -109,7 +109,7 @@ void rate_teeth(const Synchronous::Input& in, Synchronous::Result& r, Tracer& tr
 }
 
 template <class Tracer>
-void stretch(const Synchronous::Input& in, Synchronous::Result& r, Tracer& trace) {
+void toothed_tensions(const Synchronous::Input& in, Synchronous::Result& r, Tracer& trace) {
   STEP_TO(r, F_t, r.P_B / r.v, "force that the belt transmits");
   STEP_TO(r, S_1, in.k_1 * F_t + r.F_c, "tight span, with the tension factor, [Inventor-belts]");
   STEP_TO(r, S_2, S_1 - F_t, "slack span");
@@ -162,7 +162,7 @@ Synchronous::Result Synchronous::evaluate(const Input& in, Tracer& trace) {
   mesh(in, r, trace);
   if (!is_set(in.b)) return r;  // a search finds it
   rate_teeth(in, r, trace);
-  stretch(in, r, trace);
+  toothed_tensions(in, r, trace);
   limit_teeth(in, r, trace);
   return r;
 }

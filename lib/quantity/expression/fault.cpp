@@ -1,6 +1,7 @@
 #include "lib/quantity/expression/parser.hpp"
 #include "lib/quantity/expression/scan.hpp"
 #include "lib/quantity/literal.hpp"
+#include "lib/quantity/unit_hint.hpp"
 
 #include <algorithm>
 
@@ -15,16 +16,72 @@ std::string listed(std::span<const std::string_view> words) {
 
 bool is_unit(std::string_view text) { return static_cast<bool>(parse_unit(text)); }
 
+Message tonne_message(Names variables) {
+  return say("'t' is read as the unit tonne; {1}", variables_message(variables));
+}
+
+/// Whether a name is read as a unit somewhere in a literal of the tree.
+bool is_read_as_unit(const Tree& tree, const Node& node, std::string_view name) {
+  const std::size_t end = node.operation == Operation::literal ? node.at + node.length : node.at;
+  for (std::size_t at = node.at; at < end;) {
+    const std::size_t word = word_end(tree.text, at);
+    if (word != at && std::string_view(tree.text).substr(at, word - at) == name) return true;
+    at = word != at ? word : character_end(tree.text, at);
+  }
+  return std::any_of(node.kids.begin(), node.kids.end(),
+                     [&](const Node& kid) { return is_read_as_unit(tree, kid, name); });
+}
+
 }  // namespace
+
+Message variables_message(Names variables) {
+  return variables.size() == 1 ? say("the variable is {1}; all else is numbers with units", variables.front())
+                               : say("the variables are {1}; all else is numbers with units", listed(variables));
+}
+
+Fault with_variables(Fault fault, const Tree& tree, Names variables) {
+  const bool is_tonne = !is_among(variables, "t") && is_read_as_unit(tree, tree.root, "t");
+  if (is_tonne)
+    fault.hint = tonne_message(variables);
+  else if (fault.hint.empty())
+    fault.hint = say("give its numbers their units; {1}", variables_message(variables));
+  return fault;
+}
 
 void Parser::fail(std::size_t at, std::size_t length, Message message, Message hint) {
   if (!fault_) fault_ = Fault{at, std::max<std::size_t>(length, 1), std::move(message), std::move(hint)};
   next_ = text_.size();
 }
 
-void Parser::fail_unit(Fault fault) {
+void Parser::fail_unit(Fault fault, std::size_t from, std::size_t end) {
+  if (!variables_.empty() && fail_unknown_variable(from, end)) return;
   if (fault.hint.empty()) fault.hint = say("a unit is written as in 30 N/mm^2; to raise the quantity write (3 mm)^2");
   fail(fault.at, fault.length, std::move(fault.message), std::move(fault.hint));
+}
+
+/// The first word of a unit that is none may be a misspelt variable: "5 N*s/m*vx".
+bool Parser::fail_unknown_variable(std::size_t from, std::size_t end) {
+  for (std::size_t at = from; at < end;) {
+    const std::size_t word = std::min(word_end(text_, at), end);
+    const std::string name = slice(at, word);
+    if (name == "t") {
+      fail(at, 1, say("'t' is not a variable"), tonne_message(variables_));
+      return true;
+    }
+    if (!name.empty() && !is_unit(name)) {
+      fail(at, word - at, say("'{1}' is neither a unit nor a variable", name), variable_hint(name));
+      return true;
+    }
+    at = name.empty() ? character_end(text_, at) : word;
+  }
+  return false;
+}
+
+Message Parser::variable_hint(const std::string& name) const {
+  const std::string near = nearest(name, {variables_.begin(), variables_.end()});
+  if (!near.empty()) return say("did you mean '{1}'? {2}", near, variables_message(variables_));
+  Message unit = unknown_unit_hint(name);
+  return unit.empty() ? variables_message(variables_) : unit;
 }
 
 void Parser::fail_missing_value() {
@@ -45,12 +102,10 @@ void Parser::fail_unknown_function(const std::string& name) {
 
 void Parser::fail_bare_name(std::size_t end) {
   const auto word = slice(next_, end);
-  const auto constant = word.size() > 1 ? nearest(word, {"pi"}) : std::string{};
+  const bool may_be_pi = word.size() > 1 && (variables_.empty() || word.size() == 2);  // phi is a variable
+  const auto constant = may_be_pi ? nearest(word, {"pi"}) : std::string{};
   Message hint = say("write step.path, as in lever.drive.M");
-  if (variables_.size() == 1)
-    hint = say("the variable is {1}; all else is numbers with units", std::string(variables_.front()));
-  else if (!variables_.empty())
-    hint = say("the variables are {1}; all else is numbers with units", listed(variables_));
+  if (!variables_.empty()) hint = variable_hint(std::string(word));
   if (find_function(word) != nullptr) {
     hint = say("write {1}", find_function(word)->form);
   } else if (!constant.empty()) {
@@ -58,7 +113,9 @@ void Parser::fail_bare_name(std::size_t end) {
   } else if (is_unit(word) && variables_.empty()) {
     hint = say("write step.path, as in lever.drive.M; a unit needs a number: 1 {1}", word);
   }
-  fail(next_, end - next_, say("'{1}' is not a complete reference", word), std::move(hint));
+  fail(next_, end - next_,
+       variables_.empty() ? say("'{1}' is not a complete reference", word) : say("'{1}' is not a variable", word),
+       std::move(hint));
 }
 
 /// Whether the last token is the start of a value of a table, cut at a name that is not a word:

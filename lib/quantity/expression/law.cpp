@@ -105,12 +105,14 @@ Outcome<Law> Law::parse(std::string_view text, const Variable& variable, const D
                  say("a law of motion must be smooth: its speed and acceleration come from it")};
   }
   const auto signature = expression::check(parsed->tree, declared);
-  if (!signature) return signature.fault();
+  if (!signature) return expression::with_variables(signature.fault(), parsed->tree, {&variable.name, 1});
   if (signature->dimension.without_angle() != result.without_angle()) {
-    return Fault{
-        0, text.size(),
-        say("the law gives the kind '{1}', and '{2}' is expected", name_of(signature->dimension), name_of(result)),
-        say("give its numbers their units")};
+    return expression::with_variables(
+        {0,
+         text.size(),
+         say("the law gives the kind '{1}', and '{2}' is expected", name_of(signature->dimension), name_of(result)),
+         {}},
+        parsed->tree, {&variable.name, 1});
   }
   Law law;
   law.tree_ = std::make_unique<const expression::Tree>(std::move(parsed->tree));

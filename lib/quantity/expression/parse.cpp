@@ -125,7 +125,7 @@ void Parser::unit(Node& literal) {
   const auto end = unit_end(text_, from, variables_);
   if (!take(end)) return;
   const auto unit = read_unit(text_.substr(0, end), from);
-  if (!unit) return fail_unit(unit.fault());
+  if (!unit) return fail_unit(unit.fault(), from, end);
   const auto written = slice(from, end);
   if (unit->offset != 0.0) {
     return fail(from, end - from, say("'{1}' is a point on a scale and cannot be used in an expression", written),

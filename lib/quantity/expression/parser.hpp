@@ -58,7 +58,9 @@ class Parser {
   }
 
   void fail(std::size_t at, std::size_t length, Message message, Message hint);
-  void fail_unit(Fault fault);
+  void fail_unit(Fault fault, std::size_t from, std::size_t end);
+  [[nodiscard]] bool fail_unknown_variable(std::size_t from, std::size_t end);
+  [[nodiscard]] Message variable_hint(const std::string& name) const;
   void fail_missing_value();
   void fail_unknown_function(const std::string& name);
   void fail_bare_name(std::size_t end);

@@ -37,12 +37,14 @@ Outcome<Relation> Relation::parse(std::string_view text, Variables variables, co
     return Signature{found->dimension, nullptr};
   };
   const auto signature = expression::check(parsed->tree, declared);
-  if (!signature) return signature.fault();
+  if (!signature) return expression::with_variables(signature.fault(), parsed->tree, bare);
   if (result && signature->dimension.without_angle() != result->without_angle()) {
-    return Fault{0, text.size(),
-                 say("the function gives the kind '{1}', and '{2}' is expected", name_of(signature->dimension),
-                     name_of(*result)),
-                 say("give its numbers their units")};
+    return expression::with_variables({0,
+                                       text.size(),
+                                       say("the function gives the kind '{1}', and '{2}' is expected",
+                                           name_of(signature->dimension), name_of(*result)),
+                                       {}},
+                                      parsed->tree, bare);
   }
   relation.tree_ = std::make_unique<const expression::Tree>(std::move(parsed->tree));
   return relation;

@@ -90,7 +90,7 @@ TEST_SUITE("mechanism law") {
     const auto crank = [](const std::string& law) { return by(arm, law); };
     CHECK(says(crank("angle_of_t = \"30 deg*t\", duration = \"1 s\""),
                "error: the law gives the kind 'quantity in s*rad', and 'angle' is expected"));
-    CHECK(says(crank("angle_of_t = \"30 deg + x\", duration = \"1 s\""), "error: 'x' is not a complete reference"));
+    CHECK(says(crank("angle_of_t = \"30 deg + x\", duration = \"1 s\""), "error: 'x' is not a variable"));
     CHECK(says(crank("angle_of_t = \"30 deg*abs(t/(1 s))\", duration = \"1 s\""),
                "error: 'abs' has kinks, or is of a series"));
     CHECK(says(crank("angle_of_t = \"30 deg*sqrt(t/(1 s))\", duration = \"1 s\""),

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t longest = 256;  // bytes; the longest sensible quantity has some forty
 constexpr Dimension frequency = Dimension::of(0, 0, -1), angular_speed = Dimension::of(0, 0, -1, 0, 1);
-constexpr Dimension acceleration = Dimension::of(1, 0, -2), work = Dimension::of(2, 1, -2);
+constexpr Dimension acceleration = Dimension::of(1, 0, -2), work = Dimension::of(2, 1, -2),
+                    stiffness = Dimension::of(0, 1, -2);
 
 /// A literal in its parts.
 struct Written {
@@ -86,6 +87,12 @@ std::string named(const Dimension& dimension, Kind kind) {
   return (vowel ? "an " : "a ") + name;
 }
 
+/// "a moment"
+std::string named(const Expected& expected) {
+  const bool is_load = expected.dimension == stiffness && expected.symbol.starts_with('q');
+  return is_load ? "a load per length" : named(expected.dimension, expected.kind);
+}
+
 std::string usual_unit(const Expected& expected) {
   return expected.unit.empty() ? readable_unit(0.0, expected.dimension, expected.kind) : std::string(expected.unit);
 }
@@ -99,14 +106,15 @@ Fault with_remedy(Fault fault, const Expected& expected) {
 }
 
 Fault no_unit(const Written& w, const Expected& expected) {
-  return refuse(w, say("'{1}' has no unit, {2} is expected", w.number, named(expected.dimension, expected.kind)),
+  return refuse(w, say("'{1}' has no unit, {2} is expected", w.number, named(expected)),
                 say("write '{1} {2}'", w.number, usual_unit(expected)));
 }
 
 Fault wrong_dimension(const Written& w, const Expected& expected) {
   const Dimension &is = w.unit.dimension, &wanted = expected.dimension;
   const Kind kind = w.unit.has(Mark::work) ? Kind::energy : Kind::plain;
-  Message message = say("'{1}' is {2}, {3} is expected", w.text, named(is, kind), named(wanted, expected.kind));
+  Message message = say("'{1}' is {2}, {3} is expected", w.text,
+                        is == stiffness ? "a stiffness or load per length" : named(is, kind), named(expected));
   if (wanted.is_number()) return refuse(w, std::move(message), say("write the number without a unit"));
   const bool is_mass_for_force = is == wanted * acceleration || wanted == is * acceleration;
   if (is_mass_for_force && is == Dimension::of(1, 1, 0))

@@ -14,7 +14,8 @@ namespace loadpath {
 struct Expected {
   Dimension dimension;
   Kind kind = Kind::plain;
-  std::string_view unit;  // the field's display unit, for hints: "write 30 mm"
+  std::string_view unit;         // the field's display unit, for hints: "write 30 mm"
+  std::string_view symbol = {};  // the field's key: q is a load per length, of the dimension of a stiffness
 };
 
 struct Literal {

@@ -207,7 +207,8 @@ bool Rows::choose_named(const Tree::Entry& named, const std::vector<std::string>
 bool Rows::unit_fits(const Column& column, const std::string& cell) {
   const FieldInfo* const field = column.field;
   if (field == nullptr || field->type != FieldInfo::Type::quantity || column.heading.unit.empty()) return true;
-  const auto one = parse_literal("1 " + column.heading.unit, Expected{field->dimension, field->kind, field->unit});
+  const auto one =
+      parse_literal("1 " + column.heading.unit, Expected{field->dimension, field->kind, field->unit, field->key});
   if (one) return true;
   return refuse(at(cell), say("the heading '{1}': {2}", cell, one.fault().message),
                 has_unit(*field) ? say("name the unit in the header: {1} [{2}]", column.heading.name, field->unit)

@@ -49,8 +49,8 @@ void Reader::read_expression(const Tree& tree, const FieldInfo& field, void* own
   ++start.column;
   std::string text = tree.text.substr(1);
   auto parsed = Expression::parse(text);
-  const auto literal =
-      parsed ? Outcome<Literal>(Fault{}) : parse_literal(text, Expected{field.dimension, field.kind, field.unit});
+  const auto literal = parsed ? Outcome<Literal>(Fault{})
+                              : parse_literal(text, Expected{field.dimension, field.kind, field.unit, field.key});
   if (literal)  // a number that is not an expression: "2,5 kN", "20 °C", "1450 1/min"
     parsed = Expression::parse(format_exact(literal->si) + " " + si_unit(literal->dimension));
   if (!parsed) return fault_at(start, text, path, parsed.fault());
@@ -114,7 +114,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
     reading_.typed[path].text = text;
     return field.set(owner, *number);
   }
-  const auto literal = parse_literal(text, Expected{field.dimension, field.kind, field.unit});
+  const auto literal = parse_literal(text, Expected{field.dimension, field.kind, field.unit, field.key});
   if (!literal && is_bare_expression(text)) {
     return say_at(place_in(tree.place, text, 0, text.size()), path, say("'{1}' is an expression without its '='", text),
                   say("an expression starts with '=': write \"={1}\"", text));

@@ -20,6 +20,7 @@ const Expected angle = in("deg"), omega = in("rpm"), hertz = in("Hz"), number = 
                inertia = in("kg*m^2");
 const Expected moment = in("N*m", Kind::moment), energy = in("J", Kind::energy), stiffness = in("N/mm"),
                area = in("mm^2");
+const Expected line_load{stiffness.dimension, Kind::plain, "N/mm", "q_adm"};
 const Expected celsius = in("°C", Kind::temperature), kelvin = in("K", Kind::difference), expansion = in("1/K");
 
 }  // namespace
@@ -174,6 +175,12 @@ TEST_SUITE("quantity") {
          "a force is written in N, kgf or lbf, a mass in kg or lb"},
         {"50 ft-lb", moment, 0, 8, "'50 ft-lb' is a quantity in kg*m, a moment is expected",
          "lb is a mass: a torque is written in lbf*ft or lbf*in"},
+        {"30 N/mm^2", line_load, 0, 9, "'30 N/mm^2' is a stress, a load per length is expected",
+         "write a unit such as N/mm"},
+        {"30", line_load, 0, 2, "'30' has no unit, a load per length is expected", "write '30 N/mm'"},
+        {"30 N", stiffness, 0, 4, "'30 N' is a force, a stiffness is expected", "write a unit such as N/mm"},
+        {"30 N/mm", force, 0, 7, "'30 N/mm' is a stiffness or load per length, a force is expected",
+         "write a unit such as N"},
         {"350 mpa", stress, 4, 3, "unknown unit 'mpa'", "did you mean 'MPa'?"},
         {"1,250 mm", length, 0, 5, "'1,250' is ambiguous", "write '1.250' or '1250'"},
         {"2 ft 3 in", length, 5, 1, "a second number '3'",

@@ -49,7 +49,7 @@ Message value_within(std::string_view value, const FieldInfo& table, const std::
   for (const FieldInfo& field : table.fields) {
     keys.emplace_back(field.key);
     if (field.type != Type::quantity || std::string_view(field.unit) == "-") continue;
-    const auto literal = parse_literal(value, Expected{field.dimension, field.kind, field.unit});
+    const auto literal = parse_literal(value, Expected{field.dimension, field.kind, field.unit, field.key});
     if (!literal) continue;
     const std::string inner = "{ " + std::string(field.key) + " = \"" + std::string(value) + "\" }";
     return path.ends_with(']') ? say("write {1} = [{2}]", path.substr(0, path.rfind('[')), inner)

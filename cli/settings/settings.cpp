@@ -53,6 +53,12 @@ std::string name_of(const Tree& element) {
   return name == nullptr ? "" : name->value.text;
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
 /// The element of a list: by its number, or the name that it has.
 Tree* element_of(Tree& list, const Part& part, std::vector<Issue>& issues) {
   const std::size_t number = number_of(part);
@@ -62,9 +68,13 @@ Tree* element_of(Tree& list, const Part& part, std::vector<Issue>& issues) {
     if (number == 0 && name_of(item) == part.key) return &item;
     if (!name_of(item).empty()) names.push_back(name_of(item));
   }
+  Message counted = say("elements are counted from 1: [1] to [{1}]", std::to_string(list.items.size()));
+  if (!names.empty() && part.key.front() == '[')
+    counted = say("elements are counted from 1, [1] to [{1}], or named: {2}", std::to_string(list.items.size()),
+                  listed(names));
+  const bool is_name = !names.empty() && part.key.front() != '[';
   add(issues, part.place, say("unknown element '{1}'", part.key),
-      names.empty() ? say("elements are counted from 1: [1] to [{1}]", std::to_string(list.items.size()))
-                    : did_you_mean(part.key, names, there_is(names)));
+      is_name ? did_you_mean(part.key, names, there_is(names)) : std::move(counted));
   return nullptr;
 }
 
@@ -120,6 +130,16 @@ bool is_word(const Tree& project, const Setting& setting) {
   return field != nullptr && field->is_word();
 }
 
+/// The remedy for a path that begins with a field in place of its step, and for a step that does not exist.
+Message step_hint(const Tree& project, const std::string& key, const std::vector<std::string>& names) {
+  if (names.empty()) return say("the file has no steps");
+  for (const Tree::Entry& step : project.entries) {
+    if (step.value.type == Tree::Type::table && step.value.find(key) != nullptr)
+      return say("a field is written after its step: {1}.{2}", step.key, key);
+  }
+  return did_you_mean(key, names, there_is(names));
+}
+
 /// Whether the table of a setting exists: one of the steps, or of the other tables.
 bool has_table(const Tree& project, const Part& part, std::vector<Issue>& issues) {
   if (part.key == "project" || project.find(part.key) != nullptr) return true;
@@ -127,7 +147,7 @@ bool has_table(const Tree& project, const Part& part, std::vector<Issue>& issues
   for (const Tree::Entry& entry : project.entries) {
     if (entry.key != "expect") names.push_back(entry.key);
   }
-  add(issues, part.place, say("unknown step '{1}'", part.key), did_you_mean(part.key, names, there_is(names)));
+  add(issues, part.place, say("unknown step '{1}'", part.key), step_hint(project, part.key, names));
   return false;
 }
 
@@ -173,7 +193,9 @@ Setting read_setting(const std::string& text, int line, std::vector<Issue>& issu
   setting.place = {source, line, static_cast<int>(from) + 1, std::max(1, static_cast<int>(setting.text.size()))};
   if (equals == text.size() || setting.path.size() < 2) {
     add(issues, {source, line, 1, std::max(1, static_cast<int>(path.size()))},
-        say("'{1}' sets no field of a step", text), say("write --set STEP.FIELD=VALUE, as in --set shaft.d=\"45 mm\""));
+        say("'{1}' sets no field of a step", text),
+        say("write --set STEP.FIELD=VALUE, as in --set shaft.d=\"45 mm\", or --set 'shaft.pieces[1].d=45 mm' for an "
+            "element of a list"));
     setting.path.clear();
   }
   return setting;

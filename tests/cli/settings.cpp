@@ -93,6 +93,11 @@ TEST_SUITE("cli settings") {
     CHECK(unit.code == 2);
     CHECK(contains(unit.error, "--set:1:18: error: unknown unit 'mpa'"));
     CHECK(contains(with(line_shaft, {"shaft.torques.M3.x=1 mm"}, {}).error, "unknown element 'M3'"));
+    CHECK(contains(with(line_shaft, {"shaft.torques[0].x=1 mm"}, {}).error,
+                   "elements are counted from 1, [1] to [2], or named: M1, M2"));
+    CHECK(contains(with(line_shaft, {"torques[1].x=1 mm"}, {}).error,
+                   "= help: a field is written after its step: shaft.torques\n"));
+    CHECK(contains(with("", {"shaft.d=1 mm"}, {}).error, "= help: the file has no steps"));
     CHECK(contains(with(line_shaft, {"shaft.torques[3].x=1 mm"}, {}).error, "unknown element '[3]'"));
     CHECK(contains(with(line_shaft, {"shaft.tau_adm.x=1 mm"}, {}).error, "is a text, and has no fields"));
     CHECK(contains(with(plain_shaft(), {"shaft.d={ stock = "}, {}).error, "--set:1:"));

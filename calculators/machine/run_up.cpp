@@ -111,6 +111,14 @@ bool reaches(const Input& in, const RunUp::Points& points) {
   return in_si(points.front().n) <= low + rounding * high && in_si(points.back().n) >= high * (1.0 - rounding);
 }
 
+/// Whether the motor accelerates away from n_2 at the start, against or without the help of its load.
+bool drives_away(const Input& in) {
+  if (in.motor.empty() || !(in_si(in.n_1) != in_si(in.n_2))) return false;
+  const Balance balance(in);
+  const double omega = in_si(in.n_1), sense = in.n_2 > in.n_1 ? 1.0 : -1.0;
+  return sense * balance.motor_at(omega) < 0.0 && sense * balance.at(omega) < 0.0;
+}
+
 }  // namespace
 
 double RunUp::reduced_inertia(const Input& in) {
@@ -130,6 +138,23 @@ FieldFault RunUp::short_line(const Input& in) {
               format_quantity(in_si(line.front().n), "rpm", 4), format_quantity(in_si(line.back().n), "rpm", 4),
               format_quantity(in_si(in.n_1), "rpm", 4), format_quantity(in_si(in.n_2), "rpm", 4)),
           say("add points; a single point is a constant moment")};
+}
+
+bool RunUp::signs_agree(const Input& in) { return !rises(in.motor) || !rises(in.load) || !drives_away(in); }
+
+FieldFault RunUp::wrong_sign(const Input& in) {
+  const Balance balance(in);
+  const std::string torque = format_quantity(balance.motor_at(in_si(in.n_1)), "N*m", 4);
+  const std::string from = format_quantity(in_si(in.n_1), "rpm", 4), to = format_quantity(in_si(in.n_2), "rpm", 4);
+  if (in.n_2 < in.n_1)
+    return {"motor",
+            say("n_2 = {1} is below n_1 = {2}, but the motor torque of {3} at n_1 is positive: it accelerates", to,
+                from, torque),
+            say("give the torque of a brake with a negative sign, or exchange n_1 and n_2")};
+  return {
+      "motor",
+      say("n_2 = {1} is above n_1 = {2}, but the motor torque of {3} at n_1 is negative: it brakes", to, from, torque),
+      say("give the torque of a motor with a positive sign, or exchange n_1 and n_2")};
 }
 
 template <class Tracer>

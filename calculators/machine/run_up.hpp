@@ -107,6 +107,8 @@ n_2 = "1400 rpm"
   static bool lines_rise(const Input& in);
   static bool lines_reach(const Input& in);
   static FieldFault short_line(const Input& in);
+  static bool signs_agree(const Input& in);
+  static FieldFault wrong_sign(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !in.parts.empty(); }, "parts", "give at least one rotating part"},
       Rule<Input>{[](const Input& in) { return reduced_inertia(in) > 0.0 || in.parts.empty(); }, "parts",
@@ -115,7 +117,11 @@ n_2 = "1400 rpm"
       Rule<Input>{[](const Input& in) { return !in.motor.empty(); }, "motor", "give the moment of the motor or brake"},
       Rule<Input>{&lines_rise, "motor, load", "the speeds of a line must increase"},
       Rule<Input>{&lines_reach, "motor, load, n_1, n_2", "a line of two points or more must reach from n_1 to n_2",
-                  &short_line}};
+                  &short_line},
+      Rule<Input>{&signs_agree, "motor, load, n_1, n_2",
+                  "the motor torque must be negative for n_2 < n_1 (braking) unless the load torque exceeds it, and "
+                  "positive for n_2 > n_1 unless the load drives",
+                  &wrong_sign}};
 
   static constexpr bool turns = true;
   static constexpr std::array meanings{Meaning{"parts.u", ratio_of_speeds}, Meaning{"n_1, n_2", speed_of_run},

@@ -73,12 +73,28 @@ TEST_SUITE("machine run up") {
     CHECK(run(motor + "\"4.99 s\"\n").worst() == State::fail);
   }
 
+  TEST_CASE("a motor may be overcome by its load: no contradiction of signs") {
+    const auto stopped = run(
+        "n_1 = \"100 rad/s\"\nn_2 = \"0 rad/s\"\nmotor = [[\"0 rpm\", \"2 N*m\"]]\nload = [[\"0 rpm\", \"7 N*m\"]]\n");
+    CHECK(near(stopped("t"), 10.0));
+    const auto lowered =
+        run("n_2 = \"100 rad/s\"\nmotor = [[\"0 rpm\", \"-2 N*m\"]]\nload = [[\"0 rpm\", \"-7 N*m\"]]\n");
+    CHECK(near(lowered("t"), 10.0));
+    CHECK(run("n_1 = \"100 rad/s\"\nn_2 = \"0 rad/s\"\nmotor = [[\"0 rpm\", \"-2 N*m\"]]\nload = [[\"0 rpm\", \"-7 "
+              "N*m\"]]\n")
+              .worst() == State::fail);
+  }
+
   TEST_CASE("lines that do not say what is asked are refused with the reason") {
     const std::string rows[][2] = {
         {"motor = [[\"0 rpm\", \"1 N*m\"]]\nn_2 = \"0 rpm\"\n", "initial and final speed must differ"},
         {"motor = []\nn_2 = \"9 rpm\"\n", "is empty"},
         {"motor = [[\"9 rpm\", \"1 N*m\"], [\"9 rpm\", \"2 N*m\"]]\nn_2 = \"9 rpm\"\n", "must increase"},
         {"motor = [[\"0 rpm\", \"1 N*m\"], [\"9 rpm\", \"2 N*m\"]]\nn_2 = \"10 rpm\"\n", "the line goes from"},
+        {"motor = [[\"0 rpm\", \"5 N*m\"]]\nn_1 = \"900 rpm\"\nn_2 = \"100 rpm\"\n",
+         "n_2 = 100 rpm is below n_1 = 900 rpm, but the motor torque of 5 N·m at n_1 is positive: it accelerates"},
+        {"motor = [[\"0 rpm\", \"-5 N*m\"]]\nn_2 = \"100 rpm\"\n",
+         "n_2 = 100 rpm is above n_1 = 0 rpm, but the motor torque of -5 N·m at n_1 is negative: it brakes"},
         {"motor = [[\"0 Hz\", \"1 N*m\"]]\nn_2 = \"10 rpm\"\n", "Hz"}};
     for (const auto& row : rows) {
       CAPTURE(row[0]);

@@ -121,7 +121,13 @@ std::vector<FieldFault> expand(const Template& from, const Reading& reading, Mec
   Mechanism::Input drawn;
   templates::Sketch sketch(drawn, in.crank.joint.empty() ? unset<double> : first_crank_angle(in.crank));
   shape.draw(parameters, sketch);
-  if (sketch.fault()) return {*sketch.fault()};
+  if (sketch.fault()) {
+    FieldFault fault = *sketch.fault();
+    const bool has_part = in_words && fault.hint.id == templates::start_elsewhere().id;
+    const auto part = has_part ? part_that_closes(shape, parameters, first_crank_angle(in.crank)) : std::nullopt;
+    if (part) fault.hint = templates::start_elsewhere(*part);
+    return {std::move(fault)};
+  }
   for (const auto& [link, l] : sketch.bars()) set_inertia(in.links[link], l, reading);
   put(drawn, in);
   return {};

@@ -53,6 +53,12 @@ Message part_of_a_turn(const Message& part) {
   return say("change a length, or solve part of a revolution, {1}: crank = { at = [...] }", part);
 }
 
+Message start_elsewhere() { return say("change a length, or start elsewhere"); }
+
+Message start_elsewhere(const Message& part) {
+  return say("change a length, or start elsewhere: the mechanism closes {1}", part);
+}
+
 std::optional<FieldFault> pin_runs_through(const char* pin, Length r, Length d) {
   if (abs(r - d) > 1e-9 * d) return std::nullopt;
   return FieldFault{
@@ -74,7 +80,7 @@ std::string Sketch::where() const {
 }
 
 void Sketch::refuse(Message message) {
-  const Message hint = std::isnan(angle_) ? say("change a length") : say("change a length, or start elsewhere");
+  const Message hint = std::isnan(angle_) ? say("change a length") : start_elsewhere();
   if (!fault_) fault_ = FieldFault{"", std::move(message), hint};
 }
 
@@ -84,8 +90,11 @@ Vec Sketch::meet(const Reach& one, const Reach& other, Assembly assembly) {
   const double d = mechanism::length(apart);
   const double along = (d * d + r * r - q * q) / (2.0 * d), across_squared = r * r - along * along;
   if (!(across_squared >= 0.0)) {
-    refuse(say("'{1}' ({2}) and '{3}' ({4}) do not meet{5}: their other ends are {6} apart", one.link, text_of(one.l),
-               other.link, text_of(other.l), where(), text_of(from_si<Length>(d))));
+    const bool is_far = d > r + q;
+    const std::string bound = text_of(is_far ? one.l + other.l : abs(one.l - other.l));
+    refuse(say("'{1}' ({2}) and '{3}' ({4}) do not meet{5}: their other ends are {6} apart, {7}", one.link,
+               text_of(one.l), other.link, text_of(other.l), where(), text_of(from_si<Length>(d)),
+               is_far ? say("more than their sum of {1}", bound) : say("less than their difference of {1}", bound)));
     return {nan, nan};
   }
   const double across = (assembly == Assembly::open ? 1.0 : -1.0) * std::sqrt(across_squared);

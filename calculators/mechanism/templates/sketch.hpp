@@ -48,6 +48,10 @@ std::string text_of(Length l);
 Message part_of_a_turn();
 /// With the part: "between 15 deg and 74 deg".
 Message part_of_a_turn(const Message& part);
+/// Advice for a first position that does not close.
+Message start_elsewhere();
+/// With the part in which the mechanism closes.
+Message start_elsewhere(const Message& part);
 /// A crank as long as the distance of the pin that it turns something about: its own pin comes to lie on that one.
 std::optional<FieldFault> pin_runs_through(const char* pin, Length r, Length d);
 /// A slotted lever about B that is shorter than the crank's pin is far; `path`: the parameter that is its length.

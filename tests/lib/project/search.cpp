@@ -43,6 +43,19 @@ TEST_SUITE("project search") {
     CHECK(value(project, "axle.d_bore") == doctest::Approx(0.6 * value(project, "axle.d_strength")));
   }
 
+  TEST_CASE("of rows that all fail the nearest is one that fits, with the check that it fails") {
+    const auto project = solved(
+        "[feather]\ncalculator = \"shaft.key\"\nkey = \"?\"\nT = \"3000 N*m\"\ntorque = \"one_way\"\nd = \"40 mm\"\n"
+        "l = \"40 mm\"\nl_n = \"45 mm\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"300 MPa\"\nR_e_k = \"420 MPa\"\nS_F = 1.5\n");
+    for (const account::Entry& e : project.find("feather")->account().inputs) {
+      if (e.path != "key") continue;  // 12x8 is the section for 38 mm to 44 mm, DIN 6885-1
+      CHECK_MESSAGE(e.origin.text.text().find("nearest is 12x8: u_2 = 6.6") != std::string::npos, e.origin.text.text());
+      CHECK_MESSAGE(
+          e.origin.text.text().find("(hub keyway: bearing pressure / allowable pressure)") != std::string::npos,
+          e.origin.text.text());
+    }
+  }
+
   TEST_CASE("no size of the stock passes: there is no result, and the nearest one is told") {
     const auto project = solved(axle + "T = \"1e9 N*m\"\ntau_adm = \"30 MPa\"\nd = { stock = \"shaft\" }\n");
     CHECK(std::isnan(value(project, "axle.d")));

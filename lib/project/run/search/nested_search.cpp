@@ -171,7 +171,8 @@ void NestedSearch::leave_open() {
     why = say("there is nothing to search in");
   } else if (find_nearest(nearest)) {
     keeps_rules_with(nearest);
-    why = say("none pass together, nearest is {1}: {2}", name(nearest), fault_of_candidate(evaluation_, passing_).text);
+    why = say("none pass together, nearest is {1}: {2}", name(nearest),
+              told_in_full(evaluation_.calculator(), fault_of_candidate(evaluation_, passing_)));
   } else {
     why = say("no combination of sizes satisfies the input rules");
   }

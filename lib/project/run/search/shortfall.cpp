@@ -168,7 +168,7 @@ Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing) {
       if (numerics::exceeds(largest, shortfall.check)) shortfall.check = largest;
     } else if (const auto bad = rows.first_outside(f)) {
       shortfall.limit = std::max(shortfall.limit, excess_over(f.bounds, *bad));
-      if (f.is_criterion) shortfall.check = std::max(shortfall.check, shortfall.limit);
+      if (f.is_criterion) shortfall.check = std::max(shortfall.check, shortfall.limit), shortfall.fits = false;
     }
   }
   if (missing && shortfall.limit <= 1.0) shortfall.check = std::numeric_limits<double>::infinity();
@@ -194,6 +194,12 @@ CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing) {
   if (CandidateFault listed = fault_of_lists(evaluation, passing, most); !listed.text.empty()) return listed;
   if (worst != nullptr) return fault_of_check(worst->key, most);
   return fault_of_limits(evaluation, passing);
+}
+
+Message told_in_full(const Calculator& calculator, const CandidateFault& fault) {
+  const FieldInfo* const check = find_field(calculator.result->fields, fault.row);
+  if (check == nullptr || check->role != Role::check) return fault.text;
+  return say("{1} ({2})", fault.text, check->doc);
 }
 
 account::TriedSize tried_size(const Calculator& calculator, std::string name, std::optional<double> si,

@@ -13,10 +13,15 @@ namespace loadpath::project {
 /// The largest check, and the factor by which limits are exceeded; 1 passes.
 struct Shortfall {
   double check = 1.0, limit = 1.0;
+  bool fits = true;  // no criterion is exceeded
   /// Nearer to passing: the largest of both decides, then the check.
   [[nodiscard]] bool is_less_than(const Shortfall& other) const {
     const double own = std::max(check, limit), others = std::max(other.check, other.limit);
     return own < others || (own == others && check < other.check);
+  }
+  /// The same for rows of a table: one that does not fit is never nearer than one that fits.
+  [[nodiscard]] bool is_nearer_row_than(const Shortfall& other) const {
+    return fits != other.fits ? fits : is_less_than(other);
   }
 };
 /// At the settled sizes.
@@ -37,6 +42,8 @@ struct CandidateFault {
 };
 /// At the sizes that follow from it.
 CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing);
+/// "u_1 = 3.2 (shaft keyway: bearing pressure / allowable pressure)"
+Message told_in_full(const Calculator& calculator, const CandidateFault& fault);
 
 /// A candidate that was not taken, by its fault.
 account::TriedSize tried_size(const Calculator& calculator, std::string name, std::optional<double> si,

@@ -82,6 +82,20 @@ Message hint_for_word(std::string_view line, int column) {
 
 }  // namespace
 
+Message hint_for_brackets(std::string_view what, std::string_view line) {
+  const auto says = [what](std::string_view words) { return what.find(words) != std::string_view::npos; };
+  if (says("expected key or closing '}'") && says("saw '\\n'"))
+    return say(
+        "a table in braces is written on one line, { a = 1, b = 2 }; longer ones as [[step.list]] with a line "
+        "for each key");
+  if (says("dangling comma")) return say("remove the comma before '}'");
+  if (says("expected comma or closing ']'")) return say("separate the elements of a list by commas");
+  if (says("expected '='") && says("saw ':'")) return say("write '=' between key and value");
+  if (says("determine value type") && line.starts_with('[') && without_blanks(line).ends_with(']'))
+    return say("a list before this line is not closed: add ']'");
+  return {};
+}
+
 Message hint_for(std::string_view line, int column) {
   const std::size_t equals = line.find('=');
   if (line.starts_with('[')) {

@@ -201,8 +201,9 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
       return {};
     }
     const bool is_word = what.find("determine value type") != std::string::npos;
-    issues.push_back(
-        {place, "", say("not valid TOML: {1}", what), hint_for(line, is_word ? place.column : 0), Severity::error});
+    Message hint = hint_for_brackets(what, line);
+    if (hint.empty()) hint = hint_for(line, is_word ? place.column : 0);
+    issues.push_back({place, "", say("not valid TOML: {1}", what), std::move(hint), Severity::error});
     return {};
   }
 }

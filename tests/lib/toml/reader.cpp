@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <string>
+
 using namespace loadpath;
 using toml::Tree;
 
@@ -61,6 +64,23 @@ TEST_SUITE("toml") {
     CHECK(issues_of("[left\na = 1\n").ends_with("help: write [left]\n"));
     CHECK(issues_of("[Left bearing]\na = 1\n").ends_with("help: write [Left_bearing]\n"));
     CHECK(issues_of("material = \u201CC45E\u201D\n").ends_with("help: these are typographic quotes: write \"C45E\"\n"));
+  }
+
+  TEST_CASE("lists and tables in braces are reported with the right form") {
+    const auto hint = [](const std::string& lines) {
+      const std::string all = issues_of("[a]\nl = [\n" + lines);
+      return all.substr(std::min(all.size(), all.find("help: ")));
+    };
+    const std::string one_line =
+        "help: a table in braces is written on one line, { a = 1, b = 2 }; longer ones as [[step.list]] with a line "
+        "for "
+        "each key\n";
+    CHECK(hint("{ a = 1,\n b = 2 },\n]\n") == one_line);
+    CHECK(hint("{\n a = 1, b = 2 },\n]\n") == one_line);
+    CHECK(hint("{ a = 1, },\n]\n") == "help: remove the comma before '}'\n");
+    CHECK(hint("{ a = 1 }\n{ a = 2 },\n]\n") == "help: separate the elements of a list by commas\n");
+    CHECK(hint("{ a: 1 },\n]\n") == "help: write '=' between key and value\n");
+    CHECK(hint("{ a = 1 },\n\n[b]\n") == "help: a list before this line is not closed: add ']'\n");
   }
 
   TEST_CASE("a text that is not closed is told where it would be") {

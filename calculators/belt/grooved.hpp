@@ -267,8 +267,8 @@ E_b = "15 MPa"
       Mode<Input>{"strength", "tensile strength, tight span", &tensioned}.judged_by("u_T, S_N"),
       Mode<Input>{"rating", "power rating of the belts or ribs", &rated}.judged_by("u_P"),
       Mode<Input>{"bending", "bending at the smaller pulley", &bent}.judged_by("u_b"),
-      Mode<Input>{"pulley", "minimum pulley diameter", &always<Input>}.judged_by("x_d").of_shape(),
-      Mode<Input>{"speed", "maximum belt speed", &always<Input>}.judged_by("x_v"),
+      Mode<Input>{"pulley", "minimum pulley diameter", &always<Input>}.judged_by("x_d").of_shape().wanting("d_min"),
+      Mode<Input>{"speed", "maximum belt speed", &always<Input>}.judged_by("x_v").wanting("v_max"),
       Mode<Input>{"fatigue", "belt fatigue life (flex rate)", &unseen<Input>}.special(),
       Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
 

@@ -228,7 +228,7 @@ b = "50.8 mm"
       Mode<Input>{"power", "power rating of the belt", &always<Input>}.judged_by("u_P, P_R"),
       Mode<Input>{"mesh", "teeth in mesh, smaller pulley", &always<Input>}.judged_by("x_m").of_shape(),
       Mode<Input>{"pulley", "minimum number of pulley teeth", &always<Input>}.judged_by("x_z, x_n"),
-      Mode<Input>{"speed", "maximum belt speed", &always<Input>}.judged_by("x_v"),
+      Mode<Input>{"speed", "maximum belt speed", &always<Input>}.judged_by("x_v").wanting("v_max"),
       Mode<Input>{"width", "belt width within the rated widths", &always<Input>}.judged_by("x_b").of_shape(),
       Mode<Input>{"ratcheting", "tooth jump under peak torque", &unseen<Input>}.special(),
       Mode<Input>{"fatigue", "fatigue life of the tension cord", &unseen<Input>}.special(),

@@ -34,9 +34,14 @@ constexpr std::array all{
                 "пружина, рессора, тарельчатая пружина",
                 "mechanism.planar, dynamics.work, shaft.held"},
     NotIncluded{"spiral bevel, hypoid and crossed helical gears, globoid worms",
-                "hypoid gear, spiral bevel, Zerol, crossed helical gear, globoid worm, Hypoidrad, Spiralkegelrad, "
+                "hypoid gear, hypoid, spiral bevel, Zerol, crossed helical gear, crossed helical, globoid worm, "
+                "Hypoidrad, Spiralkegelrad, "
                 "Schraubradgetriebe, Globoidschnecke, гипоидная передача, глобоидная передача",
                 "gear.bevel, gear.worm"},
+    NotIncluded{"cycloidal speed reducers and harmonic drives",
+                "cycloidal drive, cycloidal reducer, cycloidal speed reducer, harmonic drive, strain wave gear, "
+                "Zykloidgetriebe, Wellgetriebe, циклоидальный редуктор, волновая передача",
+                "gear.planetary, drive.train"},
     NotIncluded{"scuffing, micropitting and the gear rating of AGMA 2001",
                 "scuffing, micropitting, AGMA, AGMA 2001, Fressen, Graufleckigkeit, заедание", "gear.rating"},
     NotIncluded{"clutches and couplings",

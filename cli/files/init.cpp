@@ -1,3 +1,4 @@
+#include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/commands.hpp"
 #include "cli/files/starters.hpp"
@@ -24,6 +25,17 @@ std::vector<std::string> names() {
   std::vector<std::string> all;
   for (const Starter& starter : starters()) all.push_back(starter.name);
   return all;
+}
+
+/// The remedy for an unknown template: of a calculator, its example.
+std::string template_hint(const std::string& name) {
+  for (const Calculator* const calculator : calculators()) {
+    const std::string id = calculator->id;
+    if (id == name || id.starts_with(name + "."))
+      return "write the example of " + id + ": loadpath describe " + id + " --toml > project.toml; " +
+             there_is(names()).text();
+  }
+  return did_you_mean(name, names(), there_is(names())).text();
 }
 
 /// Whether a file of this name would take the place of something; a link into nowhere is something too.
@@ -136,9 +148,7 @@ int init(const InitOptions& options) {
     return write(*starter, file, settings);
   }
   const Starter* const starter = find_starter(options.starter);
-  if (starter == nullptr)
-    return refuse("unknown template '" + options.starter + "'",
-                  did_you_mean(options.starter, names(), there_is(names())).text());
+  if (starter == nullptr) return refuse("unknown template '" + options.starter + "'", template_hint(options.starter));
   const std::string file = options.file.empty() ? starter->name + ".toml" : options.file;
   if (is_there(file)) return refuse("'" + file + "' is there already, and stays as it is", "name another file");
   return write(*starter, file, settings);

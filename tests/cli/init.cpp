@@ -92,6 +92,9 @@ TEST_SUITE("cli init") {
     CHECK(there.code == 2);
     CHECK(contains(there.error, "'shaft.toml' is there already"));
     CHECK(desk.get("shaft.toml") == "mine");
+    CHECK(contains(desk.run({"init", "gear.bevel"}).error,
+                   "loadpath describe gear.bevel --toml > project.toml; available: "));
+    CHECK(contains(desk.run({"init", "shat"}).error, "did you mean 'shaft'?"));
     const Ran unit = desk.run({"init", "column", "--set", "P=300 kn"});
     CHECK(unit.code == 2);
     CHECK(contains(unit.error, "unknown unit 'kn'"));

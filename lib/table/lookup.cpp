@@ -117,7 +117,12 @@ Fault no_row(std::string_view group, std::string_view name, const std::vector<co
   }
   auto near = near_names(name, names);
   if (std::string part = near.empty() ? part_or_whole(name, names) : ""; !part.empty()) near.push_back(std::move(part));
-  if (near.empty()) return fault(message, listing(*libraries.back(), group));
+  if (near.empty()) {
+    constexpr std::size_t few = 12;  // short lists are shown in full
+    Message hint = listing(*libraries.back(), group);
+    if (names.empty() || names.size() > few) return fault(message, std::move(hint));
+    return fault(message, hint.empty() ? there_is(names) : say("{1}; {2}", there_is(names), std::move(hint)));
+  }
   return fault(message, near.size() == 1 ? say("did you mean '{1}'?", near[0])
                                          : say("did you mean '{1}' or '{2}'?", near[0], near[1]));
 }

@@ -130,5 +130,7 @@ TEST_SUITE("table") {
     CHECK(unknown.fault().hint.text() == "did you mean '42CrMo4'?");
     CHECK(find_row(built_in(), "material", "unobtainium").fault().hint.text() ==
           "`loadpath tables materials` lists them");
+    CHECK(find_row(built_in(), "synchronous_belt", "HTD 8M").fault().hint.text() ==
+          "available: XL, L, H, XH, XXH; `loadpath tables belt/synchronous` lists them");
   }
 }

@@ -4,6 +4,7 @@
 #include "lib/quantity/number/cursor.hpp"
 #include "lib/quantity/number/number.hpp"
 #include "lib/quantity/unit.hpp"
+#include "lib/quantity/unit_hint.hpp"
 
 #include <optional>
 
@@ -98,8 +99,9 @@ std::string usual_unit(const Expected& expected) {
 }
 
 Fault with_remedy(Fault fault, const Expected& expected) {
-  if (!fault.hint.empty()) return fault;
   const bool number = expected.dimension.is_number();
+  if (number && fault.message.id == unknown_unit("").id) fault.hint = say("write the number without a unit");  // 300 HB
+  if (!fault.hint.empty()) return fault;
   fault.hint =
       number ? say("write a plain number") : say("write a number and a unit, as in '30 {1}'", usual_unit(expected));
   return fault;

@@ -194,6 +194,7 @@ Message did_you_mean(std::string_view word, const std::vector<std::string>& cand
 }
 
 Message there_is(const std::vector<std::string>& candidates) {
+  if (candidates.empty()) return say("none is defined here");
   std::string all;
   for (const std::string& candidate : candidates) all += (all.empty() ? "" : ", ") + candidate;
   return say("available: {1}", all);

@@ -122,7 +122,7 @@ std::vector<std::string> all_nearest(std::string_view word, const std::vector<st
 /// "did you mean '{1}'?" with the nearest candidate after `prefix`; `otherwise` if none is near.
 Message did_you_mean(std::string_view word, const std::vector<std::string>& candidates, Message otherwise = {},
                      const std::string& prefix = {});
-/// "available: a, b, c"
+/// "available: a, b, c"; "none is defined here"
 Message there_is(const std::vector<std::string>& candidates);
 
 }  // namespace loadpath

@@ -299,6 +299,20 @@ void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>
   }
 }
 
+/// A key that is not an input may be a result, as the centre distance of gears: it is computed, and cannot be given.
+void name_results(const StepInput& input, std::size_t before, std::vector<Issue>& issues) {
+  if (input.calculator->result == nullptr) return;
+  const std::string prefix = input.name + ".";
+  for (auto issue = issues.begin() + static_cast<std::ptrdiff_t>(before); issue != issues.end(); ++issue) {
+    if (issue->key_fault != KeyFault::unknown || !issue->key.starts_with(prefix)) continue;
+    const std::string key = issue->key.substr(prefix.size());
+    const FieldInfo* const result = find_field(input.calculator->result->fields, key);
+    if (result == nullptr) continue;
+    issue->message = say("'{1}' is a result of {2}, not an input: {3}", key, input.calculator->id, result->doc);
+    if (issue->hint.id.starts_with("available")) issue->hint = say("leave it out, and choose the inputs that give it");
+  }
+}
+
 std::unique_ptr<Step> read_step(const Tree::Entry& entry, const Project& project, Catalogue catalogue,
                                 std::vector<Issue>& issues) {
   if (!name_is_free(entry, issues)) return nullptr;
@@ -320,6 +334,7 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, const Project& project
   const std::size_t before = issues.size();
   input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
                               keys_beside_fields(*input.calculator), issues);
+  name_results(input, before, issues);
   name_templates(input, before, issues);
   name_calculator(entry.value, input, catalogue, before, issues);
   if (input.from == nullptr) show_missing(*input.calculator, input.name, before, issues);

@@ -148,10 +148,13 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
   if (is_grid(tree)) return read_grid_of(tree, field, owner, path);
   const double n = tree.number;
   if (tree.type != Tree::Type::number || n != std::floor(n)) {
+    if (tree.text == "?")
+      return say_at(tree.place, path, say("'{1}' cannot be searched for", path), say("give an integer without quotes"));
     const bool number = tree.type == Tree::Type::number;
     return say_at(
         tree.place, path,
-        say("an integer is expected, not {1}", number ? format_number(n) : std::string(toml::word_for(tree.type))));
+        say("an integer is expected, not {1}", number ? format_number(n) : std::string(toml::word_for(tree.type))),
+        number ? Message{} : say("write it without quotes, as in {1} = 3", field.key));
   }
   if (!field.bounds.holds(n)) {
     return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field)));
@@ -166,8 +169,7 @@ void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, 
   const bool is_word = tree.type == Tree::Type::text || tree.type == Tree::Type::boolean;  // integral = true
   const auto number = is_word ? number_of_word(field, tree.text) : std::nullopt;
   if (!number) {
-    const std::string written =
-        tree.type == Tree::Type::text ? "'" + tree.text + "'" : std::string(toml::word_for(tree.type));
+    const std::string written = is_word ? "'" + tree.text + "'" : std::string(toml::word_for(tree.type));
     return say_at(tree.place, path, say("{1} is not a valid value of '{2}'", written, path),
                   word_near(tree.text, field));
   }

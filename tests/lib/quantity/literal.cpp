@@ -181,6 +181,7 @@ TEST_SUITE("quantity") {
         {"30 N", stiffness, 0, 4, "'30 N' is a force, a stiffness is expected", "write a unit such as N/mm"},
         {"30 N/mm", force, 0, 7, "'30 N/mm' is a stiffness or load per length, a force is expected",
          "write a unit such as N"},
+        {"300 HB", number, 4, 2, "unknown unit 'HB'", "write the number without a unit"},
         {"350 mpa", stress, 4, 3, "unknown unit 'mpa'", "did you mean 'MPa'?"},
         {"1,250 mm", length, 0, 5, "'1,250' is ambiguous", "write '1.250' or '1250'"},
         {"2 ft 3 in", length, 5, 1, "a second number '3'",

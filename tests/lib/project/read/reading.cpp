@@ -116,6 +116,21 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   = help: did you mean 'tau_adm' ()"));
   }
 
+  TEST_CASE("a result that is given as an input is named as a result") {
+    const std::string told = issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nd_min = \"20 mm\"\n");
+    CHECK(told.starts_with("a.toml:5:1: error: 'd_min' is a result of shaft.torsion, not an input: "));
+  }
+
+  TEST_CASE("an integer in quotes is told how to write it") {
+    const auto told = [](const std::string& keys) {
+      return issues_of(
+          "[key]\ncalculator = \"shaft.key\"\nT = \"9 N*m\"\nd = \"40 mm\"\nkey = \"12x8\"\nl = \"40 mm\"\n" + keys);
+    };
+    CHECK(told("i = \"2\"\n").find("help: write it without quotes, as in i = 3\n") != std::string::npos);
+    CHECK(told("i = \"?\"\n").find("'i' cannot be searched for") != std::string::npos);
+    CHECK(told("torque = true\n").find("'true' is not a valid value of 'torque'") != std::string::npos);
+  }
+
   TEST_CASE("an unknown key that is near nothing is told with all fields") {
     const std::string told =
         issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = [{ l = \"1 m\", width = \"3 mm\" }]\n");

@@ -31,7 +31,7 @@ struct Synchronous {
       "two-pulley drive with a synchronous belt of trapezoidal profile (XL to XXH); curvilinear profiles, idlers and "
       "belt life are not covered.";
   static constexpr auto source = "[B40], [Inventor-belts], [ISO5295], [RMA-IP24], [Tsubaki-belts]";
-  static constexpr auto headline = "z {z_1}/{z_2}, p {p_b}, b = {b}";
+  static constexpr auto headline = "z {z_1}/{z_2}, b {b}";
   static constexpr auto details = "{z_B} belt teeth, a = {a}, belt speed v = {v}, shaft load R = {R}";
   static constexpr auto synonyms =
       "synchronous belt, timing belt, toothed belt, XL, L, H, XH, XXH, ISO 5295, ISO 5296, teeth in mesh, Zahnriemen, "

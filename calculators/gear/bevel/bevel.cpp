@@ -3,6 +3,7 @@
 #include "calculators/gear/bevel/geometry.hpp"
 #include "calculators/gear/bevel/rating.hpp"
 #include "lib/calculator/calculator_of.hpp"
+#include "lib/quantity/format.hpp"
 
 #include <cmath>
 
@@ -54,10 +55,23 @@ bool Bevel::cones_meet(const Input& in) {
   return u + turn > least && 1.0 / u + turn > least;
 }
 
+/// The outer cone distance.
+static Length cone_distance(const Bevel::Input& in) {
+  const double delta_1 = std::atan(std::sin(in.Sigma) / (in.z_2 / in.z_1 + std::cos(in.Sigma)));
+  return in.m_et * in.z_1 / (2.0 * std::sin(delta_1));
+}
+
 bool Bevel::face_fits(const Input& in) {
   if (!cones_meet(in) || !is_set(in.b) || !is_set(in.m_et) || !(in.z_1 > 0) || !(in.z_2 > 0)) return true;
-  const double delta_1 = std::atan(std::sin(in.Sigma) / (in.z_2 / in.z_1 + std::cos(in.Sigma)));
-  return in.b < 0.5 * in.m_et * in.z_1 / (2.0 * std::sin(delta_1));
+  return in.b < 0.5 * cone_distance(in);
+}
+
+FieldFault Bevel::wide_face(const Input& in) {
+  const Length R_e = cone_distance(in);
+  return {"b",
+          say("the face width b = {1} must be less than half the outer cone distance R_e = {2}",
+              format_quantity(in_si(in.b), "mm", 4), format_quantity(in_si(R_e), "mm", 4)),
+          say("give less than {1}", format_quantity(0.5 * in_si(R_e), "mm", 4))};
 }
 
 template <class Tracer>

@@ -64,6 +64,7 @@ S_Fmin = 1.5
   static bool rates(const Input& in) { return is_set(in.I) || is_set(in.J_1) || is_set(in.J_2); }
   static bool cones_meet(const Input& in);
   static bool face_fits(const Input& in);
+  static FieldFault wide_face(const Input& in);
   static constexpr Fields inputs{
       Count{&Input::z_1, "z_1", 6, 500, "number of teeth, gear 1 (pinion)"}.same_as_that_of_source("stages[#].z_1"),
       Count{&Input::z_2, "z_2", 6, 500, "number of teeth, gear 2"}.same_as_that_of_source("stages[#].z_2"),
@@ -178,7 +179,7 @@ S_Fmin = 1.5
       Rule<Input>{&cones_meet, "Sigma, z_1, z_2",
                   "a pitch cone angle would exceed 90 deg at this shaft angle: reduce Sigma, or the gear ratio"},
       Rule<Input>{&face_fits, "b, m_et, z_1, z_2, Sigma",
-                  "the face width must be less than half the outer cone distance"},
+                  "the face width must be less than half the outer cone distance", &wide_face},
       Rule<Input>{[](const Input& in) { return in.h_fP > in.h_aP; }, "h_fP, h_aP",
                   "the dedendum must exceed the addendum, for tip clearance"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.T_1) && is_set(in.P)); }, "T_1, P",

@@ -97,7 +97,7 @@ d_p = "3 mm"
       Rule<Input>{[](const Input& in) { return !is_lantern(in) || is_set(in.d_p); }, "d_p",
                   "a lantern pinion needs the diameter d_p of its pins"},
       Rule<Input>{[](const Input& in) { return is_lantern(in) || !is_set(in.d_p); }, "d_p, pinion",
-                  "d_p is of pins: omit d_p, or give pinion = \"pins\""},
+                  "d_p applies to pins only: omit d_p, or give pinion = \"pins\""},
       Rule<Input>{&has_teeth, "d_p, j, m",
                   "pins and backlash must leave teeth of the wheel above its pitch circle: reduce d_p or j"}};
 

@@ -113,7 +113,7 @@ TEST_SUITE("gear cycloidal") {
       CHECK(faults(lines).find(part) != std::string::npos);
     };
     says("pinion = \"pins\"\nz_1 = 10\nz_2 = 60\n", "needs the diameter d_p");
-    says("z_1 = 10\nz_2 = 60\nd_p = \"3 mm\"\n", "d_p is of pins");
+    says("z_1 = 10\nz_2 = 60\nd_p = \"3 mm\"\n", "d_p applies to pins only");
     says("pinion = \"pins\"\nz_1 = 10\nz_2 = 60\nd_p = \"6.3 mm\"\n", "must leave teeth");
     says("pinion = \"pins\"\nz_1 = 10\nz_2 = 60\nd_p = \"3 mm\"\nj = \"3.3 mm\"\n", "must leave teeth");
     says("z_1 = 10\nz_2 = 60\nj = \"3.2 mm\"\n", "must leave teeth");

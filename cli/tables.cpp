@@ -64,9 +64,12 @@ int unknown_table(const std::string& word) {
   if (hint.empty()) {
     const std::string row = table_of_row(library, word);
     const auto begun = tables_beginning(library, word);
-    hint = !row.empty()     ? say("'{1}' is a row: `loadpath tables {2} \"{1}\"`", word, row)
-           : !begun.empty() ? there_is(begun)
-                            : say("`loadpath tables` shows all");
+    const auto of_group =
+        std::find_if(library.tables.begin(), library.tables.end(), [&](const Table& t) { return t.group == word; });
+    hint = of_group != library.tables.end() ? say("its rows are in `loadpath tables {1}`", of_group->name)
+           : !row.empty()                   ? say("'{1}' is a row: `loadpath tables {2} \"{1}\"`", word, row)
+           : !begun.empty()                 ? there_is(begun)
+                                            : say("`loadpath tables` shows all");
   }
   std::cerr << "loadpath: unknown table '" << word << "'\n  = help: " << hint.text() << "\n";
   return wrong_input;

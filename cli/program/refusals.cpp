@@ -54,6 +54,13 @@ std::string input_of_table(const CLI::App& command, const std::string& flag) {
   return as_flags(project::input_within(flag.substr(point + 1), std::span(outer, 1)).text());
 }
 
+/// The result that an unknown option names: it is computed, and cannot be given. Null if there is none.
+const FieldInfo* result_named(const CLI::App& command, const std::string& flag) {
+  const Calculator* const calculator = calculator_named_by(command);
+  return calculator == nullptr || calculator->result == nullptr ? nullptr
+                                                                : find_field(calculator->result->fields, flag);
+}
+
 int unknown_option(const CLI::App& command, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
   std::vector<Known> options;
@@ -75,7 +82,10 @@ int unknown_option(const CLI::App& command, const std::string& word) {
                                                        : "name the calculator; " + there_is(subs).text());
   std::string otherwise = name.size() > 2 ? input_of_table(command, name.substr(2)) : "";
   if (otherwise.empty()) otherwise = "`" + path_of(command) + " --help` shows what there is";
-  return refuse("unknown option '" + name + "'", meant(name.substr(2), options, say("{1}", otherwise), "--").text());
+  const FieldInfo* const result = name.size() > 2 ? result_named(command, name.substr(2)) : nullptr;
+  return refuse(
+      result == nullptr ? "unknown option '" + name + "'" : "'" + name + "' is a result, not an input: " + result->doc,
+      meant(name.substr(2), options, say("{1}", otherwise), "--").text());
 }
 
 /// "FILE", as the help calls an argument.

@@ -39,6 +39,7 @@ TEST_SUITE("cli tables") {
   TEST_CASE("a row, a part of a name, and a folder that is also a series are distinguished") {
     CHECK(
         contains(loadpath_with({"tables", "C45E"}).error, "`loadpath tables materials/steel_heat_treatable \"C45E\"`"));
+    CHECK(contains(loadpath_with({"tables", "ribbed_belt"}).error, "its rows are in `loadpath tables belt/"));
     CHECK(contains(loadpath_with({"tables", "HEA"}).error, "available: sections/hea\n"));
     CHECK(contains(loadpath_with({"tables", "steel"}).error, "materials/steel_structural"));
     const Ran both = loadpath_with({"tables", "bearing"});

@@ -21,6 +21,7 @@ TEST_SUITE("cli wrong words") {
     CHECK(contains(near.error, "unknown option '--tauadm'"));
     CHECK(contains(near.error, "did you mean '--tau_adm' (allowable "));
     const Ran begun = loadpath_with({"shaft", "torsion", "--theta", "1 deg/m"});
+    CHECK(contains(loadpath_with({"gear", "worm", "--a", "100 mm"}).error, "'--a' is a result, not an input: "));
     CHECK(contains(begun.error, "'--theta_adm' (allowable "));
     const Ran meaning = loadpath_with({"shaft", "torsion", "--length", "1 m"});
     CHECK(contains(meaning.error, "'--l' ("));

@@ -127,6 +127,14 @@ bool Grooved::pulleys_clear(const Input& in) {
 }
 FieldFault Grooved::pulleys_overlap(const Input& in) { return overlap(grooved_pulleys(in)); }
 
+FieldFault Grooved::no_capacity(const Input& in) {
+  if (in.kind == Kind::ribbed)
+    return {"P_R", say("the capacity of a rib is missing"),
+            say("give the manufacturer's power rating P_R or allowable tension S_adm of one rib")};
+  return {"S_adm", say("the capacity of the belt is missing"),
+          say("give the allowable tension S_adm, or sigma_adm and d_b of a round belt, or the rating P_R")};
+}
+
 template <class Tracer>
 Grooved::Result Grooved::evaluate(const Input& in, Tracer& trace) {
   Result r;

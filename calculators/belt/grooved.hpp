@@ -236,6 +236,7 @@ E_b = "15 MPa"
   static bool has_capacity(const Input& in) {
     return is_set(in.S_adm) || is_set(in.P_R) || (is_set(in.sigma_adm) && is_set(in.d_b));
   }
+  static FieldFault no_capacity(const Input& in);
   static bool pulleys_clear(const Input& in);
   static FieldFault pulleys_overlap(const Input& in);
   static bool belt_is_thin(const Input& in) { return !is_set(in.d_b) || in.d_b < 0.5 * min(in.d_1, in.d_2); }
@@ -246,7 +247,8 @@ E_b = "15 MPa"
       Rule<Input>{&pulleys_clear, "a, L, d_1, d_2", "the pulleys must not overlap", &pulleys_overlap},
       Rule<Input>{&has_mass, "q, d_b, rho", "give the mass per length q, or d_b and rho of a round belt"},
       Rule<Input>{&has_capacity, "S_adm, sigma_adm, d_b, P_R",
-                  "give the allowable tension S_adm, or sigma_adm and d_b of a round belt, or the rating P_R"},
+                  "give the allowable tension S_adm, or sigma_adm and d_b of a round belt, or the rating P_R",
+                  &no_capacity},
       Rule<Input>{[](const Input& in) { return !(is_set(in.S_adm) && is_set(in.sigma_adm)); }, "S_adm, sigma_adm",
                   "give either S_adm or sigma_adm"},
       Rule<Input>{[](const Input& in) { return !is_set(in.sigma_adm) || is_set(in.d_b); }, "sigma_adm, d_b",

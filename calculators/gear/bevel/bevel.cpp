@@ -71,7 +71,7 @@ FieldFault Bevel::wide_face(const Input& in) {
   return {"b",
           say("the face width b = {1} must be less than half the outer cone distance R_e = {2}",
               format_quantity(in_si(in.b), "mm", 4), format_quantity(in_si(R_e), "mm", 4)),
-          say("give less than {1}", format_quantity(0.5 * in_si(R_e), "mm", 4))};
+          say("at most R_e/3 passes: {1}", format_quantity(in_si(R_e) / 3.0, "mm", 4))};
 }
 
 template <class Tracer>

@@ -35,8 +35,9 @@ bool is_read_as_unit(const Tree& tree, const Node& node, std::string_view name) 
 }  // namespace
 
 Message variables_message(Names variables) {
-  return variables.size() == 1 ? say("the variable is {1}; all else is numbers with units", variables.front())
-                               : say("the variables are {1}; all else is numbers with units", listed(variables));
+  return variables.size() == 1
+             ? say("the variable is {1}; write other values as numbers with units", variables.front())
+             : say("the variables are {1}; write other values as numbers with units", listed(variables));
 }
 
 Fault with_variables(Fault fault, const Tree& tree, Names variables) {

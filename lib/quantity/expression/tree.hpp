@@ -88,7 +88,7 @@ double number(const Node& node, const Single& single);
 /// The same for single values, at all points of `out`; false if it refers to a place in a series.
 bool numbers(const Node& node, const Column& column, std::span<double> out);
 
-/// "the variables are x, v_x; all else is numbers with units"
+/// "the variables are x, v_x; write other values as numbers with units"
 Message variables_message(std::span<const std::string_view> variables);
 /// A fault of dimensions with its remedy: a unit that was meant as a variable, else the variables.
 Fault with_variables(Fault fault, const Tree& tree, std::span<const std::string_view> variables);

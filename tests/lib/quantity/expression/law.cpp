@@ -75,7 +75,7 @@ TEST_SUITE("law") {
       const auto law = Law::parse(text, {"phi", angle}, {});
       REQUIRE_FALSE(law);
       CHECK(law.fault().hint.text() ==
-            "'t' is read as the unit tonne; the variable is phi; all else is numbers with units");
+            "'t' is read as the unit tonne; the variable is phi; write other values as numbers with units");
     }
   }
 

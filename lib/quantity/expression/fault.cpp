@@ -70,7 +70,11 @@ bool Parser::fail_unknown_variable(std::size_t from, std::size_t end) {
       return true;
     }
     if (!name.empty() && !is_unit(name)) {
-      fail(at, word - at, say("'{1}' is neither a unit nor a variable", name), variable_hint(name));
+      Message hint = variable_hint(name);
+      const Message unit = unknown_unit_hint(name);
+      const bool is_unit_meant = nearest(name, {variables_.begin(), variables_.end()}).empty() && !unit.empty();
+      if (is_unit_meant) hint = say("{1} {2}", unit, std::move(hint));
+      fail(at, word - at, say("'{1}' is neither a unit nor a variable", name), std::move(hint));
       return true;
     }
     at = name.empty() ? character_end(text_, at) : word;
@@ -80,9 +84,8 @@ bool Parser::fail_unknown_variable(std::size_t from, std::size_t end) {
 
 Message Parser::variable_hint(const std::string& name) const {
   const std::string near = nearest(name, {variables_.begin(), variables_.end()});
-  if (!near.empty()) return say("did you mean '{1}'? {2}", near, variables_message(variables_));
-  Message unit = unknown_unit_hint(name);
-  return unit.empty() ? variables_message(variables_) : unit;
+  return near.empty() ? variables_message(variables_)
+                      : say("did you mean '{1}'? {2}", near, variables_message(variables_));
 }
 
 void Parser::fail_missing_value() {

@@ -58,7 +58,7 @@ TEST_SUITE("relation") {
     CHECK(said("5 N*zorkmid") ==
           "'zorkmid' is neither a unit nor a variable; the variables are x, v_x, t; write other values as numbers with "
           "units");
-    CHECK(said("5 mpa*x").ends_with("; did you mean 'MPa'?"));
+    CHECK(said("5 mpa*x").find("; did you mean 'MPa'? the variables are x") != std::string::npos);
     CHECK(said("3 N + vx").starts_with("'vx' is not a variable; did you mean 'v_x'?"));
     CHECK(said("1 N + x").find("cannot be") != std::string::npos);
   }

@@ -196,7 +196,7 @@ CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing) {
   return fault_of_limits(evaluation, passing);
 }
 
-Message told_in_full(const Calculator& calculator, const CandidateFault& fault) {
+Message fault_in_full(const Calculator& calculator, const CandidateFault& fault) {
   const FieldInfo* const check = find_field(calculator.result->fields, fault.row);
   if (check == nullptr || check->role != Role::check) return fault.text;
   return say("{1} ({2})", fault.text, check->doc);

@@ -43,7 +43,7 @@ struct CandidateFault {
 /// At the sizes that follow from it.
 CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing);
 /// "u_1 = 3.2 (shaft keyway: bearing pressure / allowable pressure)"
-Message told_in_full(const Calculator& calculator, const CandidateFault& fault);
+Message fault_in_full(const Calculator& calculator, const CandidateFault& fault);
 
 /// A candidate that was not taken, by its fault.
 account::TriedSize tried_size(const Calculator& calculator, std::string name, std::optional<double> si,

@@ -148,6 +148,12 @@ bool Rating::has_rims(const Input& in) {
   return is_rim(in.s_R1, g.d_a1, g.d_f1) && is_rim(in.s_R2, g.d_a2, g.d_f2);
 }
 
+/// The tool of a protuberance, between the centres of its tip roundings.
+bool Rating::has_wide_tip(const Input& in) {
+  NoTrace quiet;
+  return !is_set(in.s_pr) || rating::rounding_centre(in, quiet) >= 0.0;
+}
+
 double Rating::least_deviation(const Input& in) {
   const PairResult g = geometry_of(in);
   return is_iso(in) ? tolerances_of(in, g, in.grade).f_ma() * 1e-6 : in_si(helix_tolerance(in, g));

@@ -75,6 +75,7 @@ S_Fmin = 1.4
   static bool is_in_place(const Input& in);
   static bool is_stiffened(const Input& in);
   static bool has_rims(const Input& in);
+  static bool has_wide_tip(const Input& in);
   static double least_deviation(const Input& in);
 
   static constexpr Fields inputs{
@@ -281,13 +282,7 @@ S_Fmin = 1.4
                   "the working pressure angle from a_w, or from x_1 and x_2, must exceed zero"},
       Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",
                   "the root radius must fit into the dedendum"},
-      Rule<Input>{[](const Input& in) {
-                    const double E = pi / 4.0 - in.h_fP * std::tan(in.alpha_n) +
-                                     (is_set(in.s_pr) ? in.s_pr : 0.0) / std::cos(in.alpha_n) -
-                                     (1.0 - std::sin(in.alpha_n)) * in.rho_fP / std::cos(in.alpha_n);
-                    return !is_set(in.s_pr) || E >= 0.0;
-                  },
-                  "s_pr, h_fP, rho_fP", "the tip of the tool must be wide enough for its roundings"},
+      Rule<Input>{&has_wide_tip, "s_pr, h_fP, rho_fP", "the tip of the tool must be wide enough for its roundings"},
       Rule<Input>{[](const Input& in) { return in.finish == Finish::hobbed || (is_set(in.R_z1) && is_set(in.R_z2)); },
                   "finish, R_z1, R_z2", "ground or shaved flanks need the roughness of both gears"},
       Rule<Input>{[](const Input& in) {

@@ -57,8 +57,10 @@ bool Bevel::cones_meet(const Input& in) {
 
 /// The outer cone distance.
 static Length cone_distance(const Bevel::Input& in) {
-  const double delta_1 = std::atan(std::sin(in.Sigma) / (in.z_2 / in.z_1 + std::cos(in.Sigma)));
-  return in.m_et * in.z_1 / (2.0 * std::sin(delta_1));
+  NoTrace quiet;
+  Bevel::Result r;
+  bevel::cones(in, r, quiet);
+  return r.R_e;
 }
 
 bool Bevel::face_fits(const Input& in) {

@@ -23,10 +23,21 @@ bool is_indexed(std::string_view word) {
   return (word.front() < '0' || word.front() > '9') && letters_of(word.substr(0, bar)) <= longest_base;
 }
 
+/// Whether a slash in front of it belongs to a path, "sections/I_80": in "z_2/z_1" it divides two symbols.
+bool is_in_path(std::string_view text, std::size_t begin) {
+  if (begin < 2 || text[begin - 1] != '/') return false;
+  constexpr double longest_unit = 3.0;  // "235 MPa/R_e"
+  std::size_t first = begin - 1;
+  while (first > 0 && is_of_symbol(text[first - 1])) --first;
+  const std::string_view dividend = text.substr(first, begin - 1 - first);
+  return !is_indexed(dividend) && letters_of(dividend) > longest_unit;
+}
+
 /// Whether the text has it as the user types it: in a path, or between quotes.
 bool is_typed(std::string_view text, std::size_t begin, std::size_t end) {
-  constexpr std::string_view before = ".\"'`/", behind = "\"'`[";
+  constexpr std::string_view before = ".\"'`", behind = "\"'`[";
   if (begin > 0 && before.find(text[begin - 1]) != std::string_view::npos) return true;
+  if (is_in_path(text, begin)) return true;
   if (end == text.size()) return false;
   const bool is_path = text[end] == '.' && end + 1 < text.size() && is_of_symbol(text[end + 1]);
   return is_path || behind.find(text[end]) != std::string_view::npos;

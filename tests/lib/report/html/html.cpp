@@ -28,6 +28,9 @@ TEST_SUITE("report") {
       CAPTURE(typed);
       CHECK(contains(paragraph(typed), typed));
     }
+    CHECK(contains(paragraph("gear ratio z_2/z_1"), "z<sub>2</sub>/z<sub>1</sub>"));
+    CHECK(contains(paragraph("235 MPa/R_e, 1/c_2"), "235 MPa/R<sub>e</sub>, 1/c<sub>2</sub>"));
+    CHECK(contains(paragraph("of sections/I_80"), "of sections/I_80"));
     CHECK(contains(paragraph("give K_A = \"z_1\" & more"), "K<sub>A</sub> = &quot;z_1&quot; &amp; more"));
   }
 

@@ -7,6 +7,7 @@
 #include "lib/report/why.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace loadpath::report {
 
@@ -71,10 +72,19 @@ std::optional<Safety> safety_of(const Reasons& reasons, const Mode& mode) {
   return Safety{factor / *mode.utilisation, factor};
 }
 
+/// "2, passes up to 1": the value of a limit that is not kept, with its bounds; else why the mode fails.
+std::string bounded_text(const std::vector<account::Verdict>& rows, const Mode& mode) {
+  const auto row = std::ranges::find(rows, mode.governs, &account::Verdict::symbol);
+  const auto* const value = row == rows.end() ? nullptr : std::get_if<account::Quantity>(&row->value);
+  if (value == nullptr || !std::isfinite(value->si)) return account::reason(mode).text();
+  return say("{1}, {2}", short_quantity(value->si, value->unit), row->bound).text();
+}
+
 /// The values that the check compares; of safety factors the required one, and the actual one.
 std::string compared_text(const Project& project, const Mode& mode) {
   if (mode.compared) return unbroken(short_pair(mode.compared->demand, mode.compared->capacity));
   const project::Step* const step = project.find(mode.step);
+  if (!mode.utilisation && step != nullptr) return bounded_text(step->account().verdicts, mode);
   if (!mode.utilisation || !(*mode.utilisation > 0.0) || step == nullptr)
     return mode.utilisation ? std::string() : account::reason(mode).text();
   const auto safety = safety_of(reasons_of(step->account(), mode.governs), mode);

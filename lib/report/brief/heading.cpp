@@ -60,8 +60,10 @@ std::string named(const Summary& summary) {
   constexpr std::size_t most = 4;
   const std::vector<std::string> names = concerned(summary);
   if (names.empty() || names.size() > most) return {};
+  const bool has_comma =
+      std::ranges::any_of(names, [](const std::string& name) { return name.find(',') != std::string::npos; });
   std::string all;
-  for (const std::string& name : names) all += (all.empty() ? ": " : ", ") + name;
+  for (const std::string& name : names) all += (all.empty() ? ": " : has_comma ? "; " : ", ") + name;
   return all;
 }
 
@@ -121,8 +123,12 @@ Finding finding_of(const Summary& summary) {
   const account::Conclusion all = account::conclude(summary.modes);
   const bool names_modes = all.headline == account::Headline::incomplete ||
                            (all.headline == account::Headline::fail && all.count(account::Group::fails) > 1);
-  const Message reason = account::explanation(summary.modes, {room, summary.subject});
-  Message text = say("{1}{2}. {3}", reason, names_modes ? named(summary) : "", capitalised(counts_of(all)));
+  const std::string names = names_modes ? named(summary) : "";
+  const std::size_t count = concerned(summary).size();
+  const bool says_count = all.headline == account::Headline::fail && !names.empty() && count > 1;
+  const Message reason = says_count ? say("{1} failure modes fail", std::to_string(count))
+                                    : account::explanation(summary.modes, {room, summary.subject});
+  Message text = say("{1}{2}. {3}", reason, names, capitalised(counts_of(all)));
   if (const Component* const most = most_utilised_component(summary))
     text = say("{1}; highest utilisation {2}: {3}, {4}", text, utilisation_text(most->utilisation()), most->name,
                mode_name(*most->governing));

@@ -174,9 +174,12 @@ std::vector<std::string> hints_of(const project::Project& project, const Modes& 
   return hints;
 }
 
+/// "a, b", or "a, left; b" where a name has a comma of its own.
 std::string listed(const std::vector<std::string>& names) {
+  const bool has_comma =
+      std::ranges::any_of(names, [](const std::string& name) { return name.find(',') != std::string::npos; });
   std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  for (const std::string& name : names) all += (all.empty() ? "" : has_comma ? "; " : ", ") + name;
   return all;
 }
 

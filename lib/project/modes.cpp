@@ -319,9 +319,8 @@ account::Folded folded(const std::vector<const account::Verdict*>& rows) {
 void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<const account::Verdict*>& rows,
                       const CheckNeeds& needs, account::Mode& mode) {
   mode.wants = needs.wants.empty() ? still_wanted(step, info.wants) : needs.wants;
-  mode.judge = info.judge;
-  mode.use = info.use;
-  mode.add = info.add;
+  if (mode.wants.empty() && mode.state != State::open) mode.wants = wanted_by_limits(step, info);
+  mode.judge = info.judge, mode.use = info.use, mode.add = info.add;
   if (!mode.wants.empty() && *info.request != '\0')
     mode.note = say(info.request);
   else if (mode.wants.empty() && *info.advice != '\0')

@@ -21,4 +21,17 @@ std::string still_wanted(const Step& step, const char* wants) {
   return left;
 }
 
+std::string wanted_by_limits(const Step& step, const ModeInfo& mode) {
+  std::string wants;
+  if (*mode.advice != '\0' || *mode.request != '\0' || *mode.judge != '\0') return wants;
+  for (const std::string& key : listed_keys(mode.checks)) {
+    const FieldInfo* const limit = find_field(step.input().calculator->result->fields, key);
+    if (limit == nullptr || limit->role != Role::limit || *limit->asked_by == '\0') continue;
+    const bool is_known = wants.find(limit->asked_by) != std::string::npos;
+    if (is_known || still_wanted(step, limit->asked_by) != limit->asked_by) continue;
+    wants += (wants.empty() ? "" : ", ") + std::string(limit->asked_by);
+  }
+  return wants;
+}
+
 }  // namespace loadpath::project

@@ -38,6 +38,14 @@ TEST_SUITE("project modes") {
     CHECK(account::overall(project::modes(judged.project)) == State::not_judged);  // pitting
   }
 
+  TEST_CASE("a limit without the value that it compares with names the input") {
+    Solved belts(
+        "[belts]\ncalculator = \"belt.grooved\"\nP = \"150 W\"\nn_1 = \"1400 rpm\"\nd_1 = \"80 mm\"\nd_2 = \"160 mm\"\n"
+        "a = \"300 mm\"\nmu = 0.4\nd_b = \"6 mm\"\nrho = \"1200 kg/m^3\"\nsigma_adm = \"4 MPa\"\nd_min = \"60 mm\"\n");
+    CHECK(belts.mode("belts.pulley").state == State::pass);
+    CHECK(account::reason(belts.mode("belts.speed")).text() == "give v_max");
+  }
+
   TEST_CASE("without a load nothing of strength applies") {
     CHECK_FALSE(Solved(gears.substr(0, gears.find("T_1"))).has("gears.root_1"));
   }

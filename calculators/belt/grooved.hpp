@@ -54,6 +54,8 @@ d_b = "6 mm"
 rho = "1200 kg/m^3"
 sigma_adm = "4 MPa"
 E_b = "15 MPa"
+d_min = "60 mm"
+v_max = "20 m/s"
 )";
 
   enum class Kind { round, ribbed };

@@ -38,6 +38,7 @@ struct Flat {
   static constexpr auto details = "L = {L}, a = {a}, initial tension S_0 = {S_0}, shaft load R = {R}";
   static constexpr auto synonyms =
       "flat belt, belt drive, Euler-Eytelwein, capstan equation, wrap angle, initial tension, crossed belt, "
+      "pivoted motor base, motor base, quarter-turn belt, "
       "open belt, Flachriemen, Riementrieb, Umschlingungswinkel, Vorspannung, belt, плоскоремённая передача, "
       "ремень, формула Эйлера";
   static constexpr bool takes_series = false;  // one thing for all loads

@@ -34,7 +34,8 @@ struct Synchronous {
   static constexpr auto headline = "z {z_1}/{z_2}, b {b}";
   static constexpr auto details = "{z_B} belt teeth, a = {a}, belt speed v = {v}, shaft load R = {R}";
   static constexpr auto synonyms =
-      "synchronous belt, timing belt, toothed belt, XL, L, H, XH, XXH, ISO 5295, ISO 5296, teeth in mesh, Zahnriemen, "
+      "synchronous belt, timing belt, toothed belt, cog belt, XL, L, H, XH, XXH, ISO 5295, ISO 5296, teeth in mesh, "
+      "Zahnriemen, "
       "Synchronriemen, belt, Riemen, зубчатый ремень, зубчатоременная передача";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]

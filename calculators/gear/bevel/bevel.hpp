@@ -30,8 +30,9 @@ struct Bevel : BevelTypes {
   static constexpr auto headline = "z {z_1}/{z_2}, m {m_et}";
   static constexpr auto details = "S_H = {S_H1}/{S_H2}, S_F = {S_F1}/{S_F2}";
   static constexpr auto synonyms =
-      "bevel gear, straight bevel gear, mitre gear, miter gear, pitch cone, cone distance, virtual number of teeth, "
-      "AGMA 2003, Gleason, Tredgold, bevel pinion, Kegelrad, Kegelradgetriebe, Kegelradpaar, Teilkegelwinkel, "
+      "bevel gear, straight bevel gear, mitre gear, miter gear, right-angle gear, pitch cone, cone distance, virtual "
+      "number of teeth, AGMA 2003, Gleason, Tredgold, bevel pinion, Kegelrad, Kegelradgetriebe, Kegelradpaar, "
+      "Teilkegelwinkel, "
       "Ersatzzähnezahl, коническая передача, коническое колесо, прямозубая коническая передача";
   static constexpr auto example = R"([project]
 title = "Right-angle drive"

@@ -34,6 +34,7 @@ struct Worm : WormTypes {
   static constexpr auto details = "efficiency {eta}, centre distance {a}";
   static constexpr auto synonyms =
       "worm gear, worm, worm wheel, worm drive, lead angle, self-locking, sliding velocity, AGMA 6034, Buckingham, "
+      "right-angle gear, worm reducer, heat dissipation, cooling, oil temperature, "
       "Schnecke, Schneckengetriebe, Schneckenrad, Steigungswinkel, Selbsthemmung, червяк, червячная передача, "
       "червячное колесо, самоторможение";
   static constexpr auto example = R"([project]

@@ -92,7 +92,7 @@ Message check_without_value(Evaluation& evaluation, const Passing& passing) {
     if (f.role != Role::check || f.where_set || !passing.counts({&f})) continue;
     if (std::isnan(evaluation.largest_result(f))) return say("{1} has no value", f.key);
   }
-  return say("a check has no value");
+  return say("a check has no value: type the size in place of \"?\", and the run names it");
 }
 
 /// The first criterion, or limit of a method, that is not kept; empty if there is none.

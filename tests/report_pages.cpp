@@ -235,7 +235,7 @@ TEST_SUITE("report of one machine") {
 
   TEST_CASE("the first sentence names the modes that prevent the verdict") {
     const std::string text = brief_of(solved("gearbox-shaft", "", "S_Hmin = 1.1\n")).finding.text.text();
-    CHECK(contains(plain(text), "pitting, gear 1 (gears), pitting, gear 2 (gears)"));
+    CHECK(contains(plain(text), "pitting, gear 1 (gears); pitting, gear 2 (gears)"));
     CHECK(contains(text, "highest utilisation 0.961: key, bearing pressure, hub keyway."));
   }
 

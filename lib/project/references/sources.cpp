@@ -177,24 +177,17 @@ void visit_in(const std::vector<Source>& sources, const FieldInfo& field,
   }
 }
 
-/// Where loads that are magnitudes come from: whether their direction reverses, and leaves the axes of the links.
+/// Where loads that are magnitudes come from: whether their direction reverses.
 void visit_directions(const Reading& reading, const std::function<void(const std::string& path)>& visit) {
   for (const Operand& operand : reading.operands) {
     if (!operand.leaf.field->is_load) continue;
-    for (const auto& reference : operand.expression.references()) {
-      visit(path_of_reversal(reference.path));
-      for (const int link : {1, 2}) visit(path_of_transverse(reference.path, link));
-    }
+    for (const auto& reference : operand.expression.references()) visit(path_of_reversal(reference.path));
   }
 }
 
 }  // namespace
 
 std::string path_of_reversal(const std::string& load) { return load.substr(0, load.rfind('.') + 1) + "reversal"; }
-
-std::string path_of_transverse(const std::string& load, int link) {
-  return load.substr(0, load.rfind('.') + 1) + "F_t" + std::to_string(link);
-}
 
 void for_each_compared(const StepInput& step, const std::function<void(const std::string& path)>& visit) {
   for (const TypedBeside& kept : step.reading.kept) visit(kept.source);

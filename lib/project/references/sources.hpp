@@ -55,9 +55,6 @@ std::vector<std::pair<std::string, std::string>> inputs_made_for(const FieldInfo
 /// The path of the ratio by which a load that is a magnitude reverses its direction, next to it.
 std::string path_of_reversal(const std::string& load);
 
-/// That of the component of a joint force transverse to the first or the second link: "press.joints.A.F_t2".
-std::string path_of_transverse(const std::string& load, int link);
-
 /// Paths in other steps that inputs of this one are compared with: of records that have them too, and of sources.
 void for_each_compared(const StepInput& step, const std::function<void(const std::string& path)>& visit);
 

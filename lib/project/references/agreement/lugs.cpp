@@ -2,7 +2,6 @@
 
 #include "lib/project/references/origins.hpp"
 #include "lib/project/references/references.hpp"
-#include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -40,12 +39,12 @@ std::string joint_of(const Step& step) {
 }
 
 /// What a lug is part of: a pin joint and its part, or the joint of a mechanism itself.
-struct Place {
+struct LugPlace {
   const Step* pin = nullptr;
   std::string part, joint;
 };
 
-Place place_of(const Step& lug, const Project& project) {
+LugPlace place_of_lug(const Step& lug, const Project& project) {
   for (const Taken& record : lug.input().reading.records) {
     const auto [name, rest] = split_step(record.source);
     const Step* const pin = project.find(name);
@@ -56,7 +55,7 @@ Place place_of(const Step& lug, const Project& project) {
 
 class LugCheck {
  public:
-  LugCheck(const Step& lug, const Project& project) : lug_(lug), project_(project), at_(place_of(lug, project)) {}
+  LugCheck(const Step& lug, const Project& project) : lug_(lug), project_(project), at_(place_of_lug(lug, project)) {}
 
   std::vector<ReducedLoad> run() {
     const auto [name, rest] = split_step(at_.joint);
@@ -77,7 +76,7 @@ class LugCheck {
 
  private:
   [[nodiscard]] double across(int k) const {
-    return magnitude_at(project_, path_of_transverse(at_.joint + ".F", k + 1));
+    return magnitude_at(project_, at_.joint + ".F_t" + std::to_string(k + 1));
   }
   [[nodiscard]] bool is_crossed(int k) const {
     return across(k) > most_across * magnitude_at(project_, at_.joint + ".F");
@@ -110,7 +109,7 @@ class LugCheck {
   [[nodiscard]] const Step* other_lug() const {
     for (const auto& step : project_.steps) {
       if (step.get() == &lug_ || !is_lug(*step) || at_.pin == nullptr) continue;
-      const Place there = place_of(*step, project_);
+      const LugPlace there = place_of_lug(*step, project_);
       if (there.pin == at_.pin && there.part != at_.part) return step.get();
     }
     return nullptr;
@@ -145,7 +144,7 @@ class LugCheck {
 
   const Step& lug_;
   const Project& project_;
-  Place at_;
+  LugPlace at_;
   std::string mechanism_;
   std::array<std::string, 2> links_;
 };

@@ -13,7 +13,7 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double same_torque = 1e-3;  // of a torque that is typed twice
+constexpr double equal_torques = 1e-3;  // of a torque that is typed twice
 
 bool is_typed(const Step& step, const char* key) { return step.input().reading.typed.contains(key); }
 
@@ -41,7 +41,7 @@ bool has_application_factor(const Step& step) {
 
 /// Whether a step has this nominal torque, as an input or a result.
 bool has_torque(const Step& step, double T, const Project& project) {
-  const auto is_it = [&](double there) { return std::abs(std::abs(there) - T) <= same_torque * T; };
+  const auto is_it = [&](double there) { return std::abs(std::abs(there) - T) <= equal_torques * T; };
   for (const char* const key : {"T", "T_1", "T_2"}) {
     if (is_it(own_value(step, project, key)) || is_it(magnitude_at(project, step.name() + "." + key))) return true;
   }

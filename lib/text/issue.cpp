@@ -159,12 +159,22 @@ std::string render(std::vector<Issue> issues, const std::function<std::string(co
   return text;
 }
 
+namespace {
+
+/// Without underscores.
+std::u32string letters_of(std::u32string text) {
+  std::erase(text, U'_');
+  return text;
+}
+
+}  // namespace
+
 std::vector<std::string> all_nearest(std::string_view word, const std::vector<std::string>& candidates) {
   const std::u32string exact = code_points(word), wanted = lower(exact);
   const std::size_t reach =
       std::min(std::max<std::size_t>(1, wanted.size() / 3), wanted.size() - (wanted.empty() ? 0 : 1));
   constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
-  std::tuple best{most, most, most};
+  std::tuple best{most, most, most, most};
   std::vector<std::string> found;
   for (const std::string& candidate : candidates) {
     const std::u32string points = code_points(candidate);
@@ -172,8 +182,9 @@ std::vector<std::string> all_nearest(std::string_view word, const std::vector<st
     if (longer - shorter > reach) continue;
     const bool has_digit_more = exact.size() > points.size() && exact.starts_with(points) &&
                                 exact[points.size()] >= U'0' && exact[points.size()] <= U'9';
-    const std::size_t is_other = has_digit_more ? 0 : 1;  // 6208 before 6200 for 62080
-    const std::tuple far{distance(wanted, lower(points)), distance(exact, points), is_other};
+    const std::size_t is_other = has_digit_more ? 0 : 1;                          // 6208 before 6200 for 62080
+    const std::size_t is_more = letters_of(exact) == letters_of(points) ? 0 : 1;  // v_x before x for vx
+    const std::tuple far{distance(wanted, lower(points)), is_more, distance(exact, points), is_other};
     if (std::get<0>(far) > reach || std::get<0>(far) > std::get<0>(best)) continue;
     if (std::get<0>(far) < std::get<0>(best)) found.clear();
     found.insert(far < best ? found.begin() : found.end(), candidate);

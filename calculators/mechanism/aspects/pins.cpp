@@ -93,6 +93,7 @@ std::optional<Vec> axis_of(int link, std::size_t joint, const mechanism::Model& 
 
 /// The lugs of a bar lie along the line between its pins.
 double transverse_to(int link, const Vec& axis, std::size_t joint, const Solved& solved) {
+  constexpr double rounding = 1e-12;
   double most = none;
   for (std::size_t k = 0; k < solved.cycle.positions.size(); ++k) {
     if (!solved.cycle.has_forces(k)) continue;
@@ -101,7 +102,8 @@ double transverse_to(int link, const Vec& axis, std::size_t joint, const Solved&
     const double c = std::cos(angle_of(p, link)), s = std::sin(angle_of(p, link));
     const Vec along{(c * axis.x - s * axis.y) / mechanism::length(axis),
                     (s * axis.x + c * axis.y) / mechanism::length(axis)};
-    most = std::fmax(most, std::abs(along.x * force.y - along.y * force.x));
+    const double across = std::abs(along.x * force.y - along.y * force.x);
+    most = std::fmax(most, across > rounding * mechanism::length(force) ? across : 0.0);
   }
   return most;
 }

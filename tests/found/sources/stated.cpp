@@ -36,9 +36,21 @@ const std::string wheels =
     "[w]\ncalculator = \"drive.friction_wheels\"\nP = \"1.5 kW\"\nn_1 = \"700 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"600 "
     "mm\"\nb = \"80 mm\"\npair = \"leather\"\nq_adm = \"30 N/mm\"\n";
 
+const std::string belt =
+    "[belt]\ncalculator = \"belt.flat\"\nP = \"15 kW\"\nK_A = 1.2\nn_1 = \"1450 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"500 "
+    "mm\"\na = \"1200 mm\"\nmu = 0.4\nkind = \"synthetic\"\ndelta = \"2.5 mm\"\nrho = \"1100 kg/m^3\"\nsigma_adm = \"6 "
+    "MPa\"\nE_b = \"40 MPa\"\nsigma_f = \"9 MPa\"\nm_f = 6\nL_req = \"4000 h\"\n";
+
 }  // namespace
 
 TEST_SUITE("found names of stated values") {
+  TEST_CASE("a life of [values] above the required life of a belt, under any name") {
+    for (const char* const values :
+         {"L_req = \"20000 h\"", "L_h = \"20000 h\"", "life = \"40000 h\"", "years = 10\nhours_per_day = \"16 h\""})
+      CHECK(is_held(values, belt, "belt", "strength"));
+    CHECK(!is_held("L_h = \"4000 h\"", belt, "belt", "strength"));
+  }
+
   TEST_CASE("a peak factor next to the peak torque of a key") {
     for (const char* const name : {"k_max", "k_start", "start_factor", "T_max_factor", "shock"})
       CHECK(is_held(std::string(name) + " = 4", key, "key", "hub"));

@@ -128,14 +128,21 @@ class StatedCheck {
                      stated.name, format_number(stated.si, 6), format_number(here, 6)));
   }
 
+  /// The required life of a step: L_h, or L_req where L_h is its result.
+  [[nodiscard]] const char* life_key() const {
+    const FieldInfo* const required = field("L_req");
+    return required != nullptr && required->dimension == duration ? "L_req" : "L_h";
+  }
+
   /// "life = 40000 h" next to L_h = 20000 h.
   void compare_life(const Stated& stated) {
-    if (stated.name == "L_h") return;  // under its own name
-    const double here = own("L_h");
+    const char* const key = life_key();
+    if (stated.name == key) return;  // under its own name
+    const double here = own(key);
     if (!(stated.si > (1.0 + in_few_digits) * here)) return;
-    add("L_h", say("values.{1} = {2} acts on no step, and L_h is {3}: refer to it, delete it, or justify it: "
-                   "because.L_h = \"...\"",
-                   stated.name, format_quantity(stated.si, "h", 5), format_quantity(here, "h", 5)));
+    add(key, say("values.{1} = {2} acts on no step, and {4} is {3}: refer to it, delete it, or justify it: "
+                 "because.{4} = \"...\"",
+                 stated.name, format_quantity(stated.si, "h", 5), format_quantity(here, "h", 5), key));
   }
 
   /// "hours_per_day" and "years", of working days, next to a shorter required life.
@@ -146,12 +153,12 @@ class StatedCheck {
       if (name == "years" && value.signature.dimension.is_number()) years = value.si.front();
       if (value.signature.dimension == duration && has_word(name, {"day", "daily"})) hours = value.si.front();
     }
-    const double life = years * days * hours;
-    if (std::isnan(life) || !(life > (1.0 + in_few_digits) * own("L_h"))) return;
-    const double here = own("L_h");
-    add("L_h", say("the years and hours of [values] act on no step: {1} on 250 days a year, and L_h is {2}: refer to "
-                   "them, delete them, or justify it: because.L_h = \"...\"",
-                   format_quantity(life, "h", 5), format_quantity(here, "h", 5)));
+    const char* const key = life_key();
+    const double life = years * days * hours, here = own(key);
+    if (std::isnan(life) || !(life > (1.0 + in_few_digits) * here)) return;
+    add(key, say("the years and hours of [values] act on no step: {1} on 250 days a year, and {3} is {2}: refer to "
+                 "them, delete them, or justify it: because.{3} = \"...\"",
+                 format_quantity(life, "h", 5), format_quantity(here, "h", 5), key));
   }
 
   /// The value of an input: typed, of a row, or the usual one.
@@ -169,7 +176,7 @@ class StatedCheck {
     const bool is_allowance =
         stated.name == "c" && std::string_view(step_.input().calculator->id).starts_with("vessel.");
     const bool is_limit = stated.name == "n_max" && here > 0.0;  // a speed that the part must bear
-    return (stated.name == "L_h" || is_allowance || is_limit) && stated.si > (1.0 + as_stated) * here;
+    return (stated.name == life_key() || is_allowance || is_limit) && stated.si > (1.0 + as_stated) * here;
   }
 
   /// A required life above, or a strength below that of the step under its own name.

@@ -4,6 +4,9 @@
 #include "calculators/chain/layout.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace loadpath::chain {
 
 namespace {
@@ -43,7 +46,7 @@ void required_width(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tr
 
 template <class Tracer>
 void breaking_safety(const InvertedTooth::Input& in, InvertedTooth::Result& r, Tracer& trace) {
-  if (!is_set(in.F_u)) return;
+  if (!is_set(in.F_u) || !is_set(in.q)) return;  // without q, part of the pull is unknown
   STEP_TO(r, u_F, r.F / in.F_u, "the maximum pull must not break the chain");
   if (!(r.F > 0.0 * N)) return;
   STEP_TO(r, S_dyn, in.F_u / r.F, "with the service factor");
@@ -52,6 +55,30 @@ void breaking_safety(const InvertedTooth::Input& in, InvertedTooth::Result& r, T
 }
 
 }  // namespace
+
+namespace {
+constexpr double most_silent_speed = 35.0;  // m/s, from memory: fast silent chains, 7000 ft/min
+}
+
+/// Silent chains of GOST 13552 break at 70 to 92 N/mm^2 of pitch x width, from memory; strong ones at some 125 N/mm^2.
+double InvertedTooth::most_breaking_load(const Input& in) { return in_si(140.0 * MPa * in.p * in.b); }
+
+/// A seventh of that breaking load as the pull of the rated power.
+double InvertedTooth::most_rating(const Input& in) {
+  const Speed v = in.z_1 * in.p * in.n_1 / (2.0 * pi);
+  return in_si(20.0 * MPa * in.p * in.b_R * v);
+}
+
+/// A wider chain bears unevenly on a sprocket that is not parallel to the other; bound set by loadpath.
+double InvertedTooth::most_width(const Input& in) { return in_si(in.p) / std::sin(pi / std::min(in.z_1, in.z_2)); }
+
+double InvertedTooth::most_speed(const Input&) { return most_silent_speed; }
+/// Where no maximum speed of the chain is given.
+double InvertedTooth::most_rotation(const Input& in) {
+  return is_set(in.v_max) ? unset<double> : most_silent_speed * 2.0 * pi / (in.z_1 * in_si(in.p));
+}
+double InvertedTooth::most_centre(const Input& in) { return most_centre_of(in, longest_span); }
+double InvertedTooth::most_links(const Input& in) { return most_links_of(in, longest_span); }
 
 bool InvertedTooth::sprockets_apart(const Input& in) { return stand_apart(in); }
 FieldFault InvertedTooth::sprockets_touch(const Input& in) { return touching(in); }

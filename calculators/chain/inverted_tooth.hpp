@@ -4,10 +4,12 @@
 // a chain of unit width at the speed and number of teeth of the smaller sprocket, which is a table of the manufacturer
 // and an input here. An odd number of links needs a hunting link, and a chain wider by a quarter [Ramsey]. Links and
 // centre distance are exact for a chain that lies on circles of z p/(2 pi), as for roller chains; the rocker joints
-// reduce the chordal action, which is left out. K_A acts once. Not covered: service life, idlers, duplex chains.
+// reduce the chordal action, which is left out. K_A acts once. Breakage is assessed with the mass of the chain only:
+// its centrifugal force and sag are part of the pull. Not covered: service life, idlers, duplex chains.
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -150,11 +152,12 @@ v_max = "25 m/s"
       Field{&Result::b_min, "b_min", mm, "required chain width"},
       Field{&Result::S_dyn, "S_dyn", ratio, "safety factor against breakage, with service factor"},
       Field{&Result::u_b, "u_b", ratio, "rating: required / actual chain width"}.check("P_b"),
-      Field{&Result::u_F, "u_F", ratio, "breakage: maximum pull / breaking load"}.check("F_u"),
+      Field{&Result::u_F, "u_F", ratio, "breakage: maximum pull / breaking load"}.check("F_u").where_it_applies(),
       Field{&Result::u_S, "u_S", ratio,
             "breakage: required / calculated safety factor (not sufficient as the only "
             "design criterion)"}
-          .check("S_min")};
+          .check("S_min")
+          .where_it_applies()};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.a) != (in.X > 0); }, "a, X",
@@ -166,10 +169,27 @@ v_max = "25 m/s"
       Rule<Input>{[](const Input& in) { return in.X % 2 == 0; }, "X",
                   "an odd number of links needs a hunting link and a chain wider by 25 %", nullptr, true}};
 
+  static double most_breaking_load(const Input& in);
+  static double most_rating(const Input& in);
+  static double most_width(const Input& in);
+  static double most_speed(const Input& in);
+  static double most_rotation(const Input& in);
+  static double most_centre(const Input& in);
+  static double most_links(const Input& in);
+  static constexpr std::array bounds{Bound<Input>{"F_u", "140 N/mm^2 of pitch x width", &most_breaking_load},
+                                     Bound<Input>{"P_b", "a pull of 20 N/mm^2 of pitch x width", &most_rating},
+                                     Bound<Input>{"b", "the smaller sprocket diameter", &most_width},
+                                     Bound<Input>{"v_max", "silent chains", &most_speed},
+                                     Bound<Input>{"n_1", "a chain speed of 35 m/s", &most_rotation},
+                                     Bound<Input>{"a", "80 pitches", &most_centre},
+                                     Bound<Input>{"X", "80 pitches", &most_links}};
+
   static constexpr bool turns = true;
   static constexpr std::array modes{
       Mode<Input>{"rating", "link plate fatigue and joint wear (rated power)", &always<Input>}.judged_by("u_b"),
-      Mode<Input>{"breaking", "static breaking strength of the chain", &always<Input>}.judged_by("u_S, u_F"),
+      Mode<Input>{"breaking", "static breaking strength of the chain", &always<Input>}
+          .judged_by("u_S, u_F")
+          .wanting("q"),
       Mode<Input>{"speed", "maximum chain speed", &limited_speed}.judged_by("v_share"),
       Mode<Input>{"wrap_1", "wrap angle, driving sprocket", &always<Input>}.judged_by("alpha_1").of_shape(),
       Mode<Input>{"wrap_2", "wrap angle, driven sprocket", &always<Input>}.judged_by("alpha_2").of_shape(),

@@ -21,6 +21,19 @@ Length closest(const Input& in) {
   return (pitch_radii + 0.6) * in.p;
 }
 
+/// Pitches between sprockets without guides: 30 to 50 are usual, 80 the maximum without support of the spans, from
+/// memory. A slack strand above sags onto the tight one as the chain wears: 60, set by loadpath.
+inline constexpr double longest_span = 80.0, longest_above = 60.0;
+
+template <class Input>
+double most_centre_of(const Input& in, double pitches) {
+  return pitches * in_si(in.p);
+}
+template <class Input>
+double most_links_of(const Input& in, double pitches) {
+  return 2.0 * std::ceil(0.5 * links_at(pitches, in.z_1, in.z_2));
+}
+
 /// Links, rounded to the even number that is nearest.
 inline double even(double links) { return 2.0 * std::round(0.5 * links); }
 

@@ -120,6 +120,23 @@ double Roller::most_rating(const Input& in) {
   return at_best * horsepower * of_strands[strands - 1] * std::min(plates, rollers);
 }
 
+/// Less a fifth, as sources interpolate differently.
+double Roller::least_sag(const Input& in) {
+  constexpr double tolerance = 0.8, of_horizontal = 6.0, of_40_deg = 3.0, of_vertical = 1.0;
+  if (!is_set(in.theta)) return in.K_f < of_vertical ? of_horizontal : unset<double>;
+  const double part = std::abs(in.theta) / (2.0 * pi / 9.0);
+  const double steeply = of_40_deg - (of_40_deg - of_vertical) * (part - 1.0) / 1.25;
+  const double at_theta = part < 1.0 ? of_horizontal - (of_horizontal - of_40_deg) * part : steeply;
+  return std::max(tolerance * at_theta, std::min(at_theta, of_vertical));
+}
+
+double Roller::most_centre(const Input& in) {
+  return most_centre_of(in, in.loaded == Loaded::lower ? longest_above : longest_span);
+}
+double Roller::most_links(const Input& in) {
+  return most_links_of(in, in.loaded == Loaded::lower ? longest_above : longest_span);
+}
+
 bool Roller::sprockets_apart(const Input& in) { return stand_apart(in); }
 FieldFault Roller::sprockets_touch(const Input& in) { return touching(in); }
 bool Roller::links_reach(const Input& in) { return reach_around(in); }

@@ -275,10 +275,15 @@ P_R = "5.5 kW"
                   "fewer than 17 teeth: rough running and rapid wear", nullptr, true}};
 
   static double most_rating(const Input& in);
-  /// Without a typed sag factor that of a horizontal drive, which is the largest.
-  static double least_sag(const Input& in) { return in.K_f < 1.0 ? 6.0 : unset<double>; }
-  static constexpr std::array bounds{Bound<Input>{"P_R", "twice the ASME B29.1 rating for this pitch", &most_rating},
-                                     Bound<Input>{"K_f", "a horizontal drive (vertical: 1)", &least_sag}.least()};
+  /// That of the inclination; where this is not given and K_f impossible, that of a horizontal drive, the largest.
+  static double least_sag(const Input& in);
+  static double most_centre(const Input& in);
+  static double most_links(const Input& in);
+  static constexpr std::array bounds{
+      Bound<Input>{"P_R", "twice the ASME B29.1 rating for this pitch", &most_rating},
+      Bound<Input>{"K_f", "this inclination (0 deg: 6, vertical: 1)", &least_sag}.least(),
+      Bound<Input>{"a", "80 pitches (slack strand above: 60)", &most_centre},
+      Bound<Input>{"X", "80 pitches (slack strand above: 60)", &most_links}};
 
   static constexpr bool turns = true;
   static constexpr std::array modes{

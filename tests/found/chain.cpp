@@ -29,6 +29,24 @@ TEST_SUITE("found chain") {
     CHECK(mode_with("chain.roller", pull_alone + "P = ", "joints") == "none");
   }
 
+  TEST_CASE("the breaking load of a silent chain is compared with its full pull, and fits its width") {
+    CHECK(mode_with("chain.inverted_tooth", "", "breaking") == "pass");
+    CHECK(mode_with("chain.inverted_tooth", "q = ", "breaking") == "not-judged");
+    CHECK(mode_with("chain.inverted_tooth", "F_u = \"300 kN\"", "breaking") == "not-judged");
+    CHECK(mode_with("chain.inverted_tooth", "F_u = \"300 kN\"\nbecause.F_u = \"tested\"", "breaking") == "pass");
+    CHECK(mode_with("chain.inverted_tooth", "P_b = \"50 kW\"", "rating") == "not-judged");
+    CHECK(mode_with("chain.inverted_tooth", "v_max = \"60 m/s\"", "speed") == "not-judged");
+    CHECK(mode_with("chain.inverted_tooth", "b = \"500 mm\"", "rating") == "not-judged");
+    CHECK(mode_with("chain.inverted_tooth", "a = \"6 m\"", "breaking") == "not-judged");
+  }
+
+  TEST_CASE("a sag factor fits the inclination, and long spans need guides") {
+    CHECK(mode_with("chain.roller", "theta = \"0 deg\"\nK_f = 1", "breaking") == "not-judged");
+    CHECK(mode_with("chain.roller", "theta = \"0 deg\"\nK_f = 6", "breaking") == "pass");
+    CHECK(mode_with("chain.roller", "theta = \"90 deg\"\nK_f = 1", "breaking") == "pass");
+    CHECK(mode_with("chain.roller", "a = \"3 m\"", "breaking") == "not-judged");
+  }
+
   TEST_CASE("a chain that stands still does not tire, as far as it is known") {
     const std::string still = pull_alone + "P = \nn_1 = \nT_1 = \"200 N*m\"";
     CHECK(mode_with("chain.roller", still, "plates") == "open");

@@ -8,6 +8,8 @@
 #include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 
+#include <cmath>
+
 namespace loadpath::belt {
 
 namespace {
@@ -193,6 +195,11 @@ bool Flat::clear_of_each_other(const Input& in) {
 bool Flat::is_thin(const Input& in) {
   const Length d_2 = pulleys_of(in).d_2;
   return in.delta < 0.5 * (is_set(d_2) ? min(in.d_1, d_2) : in.d_1);
+}
+/// The fatigue strength at 1e7 bends is of the order of the allowable stress; on the S-N curve of m_f at N_f.
+double Flat::most_fatigue_strength(const Input& in) {
+  constexpr double at_best = 2.0, bends = 1e7;
+  return at_best * in_si(in.sigma_adm) * std::pow(bends / in.N_f, 1.0 / in.m_f);
 }
 FieldFault Flat::touching(const Input& in) { return overlap(pulleys_of(in)); }
 

@@ -13,6 +13,7 @@
 #include "calculators/belt/driven.hpp"
 #include "calculators/belt/geometry.hpp"
 #include "calculators/belt/shaft_load.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
@@ -328,6 +329,10 @@ E_b = "40 MPa"
   static Applies reversible(const Input& in) {
     return in.arrangement == Arrangement::quarter_turn ? Applies::unseen : Applies::no;
   }
+  /// Only a belt with an S-N curve has a life, which a required one decides.
+  static Applies has_life(const Input& in) { return shown_by(is_set(in.sigma_f)); }
+  static double most_fatigue_strength(const Input& in);
+  static constexpr std::array bounds{Bound<Input>{"sigma_f", "twice sigma_adm at 1e7 bends", &most_fatigue_strength}};
   static constexpr std::array meanings{Meaning{"P", "mean"}};
 
   static constexpr std::array modes{
@@ -343,7 +348,7 @@ E_b = "40 MPa"
           .judged_by("x_q, x_t")
           .of_shape(),
       Mode<Input>{"reversal", "belt run-off at reversed rotation, quarter-turn belt", &reversible}.special(),
-      Mode<Input>{"fatigue", "belt fatigue life (flex rate)", &unseen<Input>}.judged_by("u_L").special(),
+      Mode<Input>{"fatigue", "belt fatigue life (flex rate)", &has_life}.judged_by("u_L").special(),
       Mode<Input>{"rim", "bursting of pulley rims", &unseen<Input>}.special(),
       Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
 

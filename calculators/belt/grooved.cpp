@@ -58,6 +58,11 @@ void allowable_tension(const Grooved::Input& in, Grooved::Result& r, Tracer& tra
     }
   } else if (is_set(in.S_adm)) {
     STEP_TO(r, S_all, in.S_adm, "as given");
+    if (is_set(in.E_b)) {
+      STEP(sigma_b, in.E_b * in.d_b / min(in.d_1, in.d_2), "bending around the smaller pulley");
+      STEP_TO(r, S_b, sigma_b * pi / 4.0 * in.d_b * in.d_b, "tension of the same stress");
+      STEP_TO(r, u_b, S_b / S_all, "bending only");
+    }
   }
   if (!is_set(r.S_all)) return;
   trace.value("S_b", r.S_b, is_set(in.E_b) ? "bending" : "the allowable tension applies to the given pulleys");
@@ -118,9 +123,52 @@ void limit_grooved(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) 
   if (is_set(in.v_max)) {
     STEP_TO(r, x_v, r.v / in.v_max, "speed / maximum speed");
   }
+  if (is_set(in.p_r)) {
+    STEP_TO(r, x_b, r.b / min(in.d_1, in.d_2), "width / smaller diameter");
+    STEP_TO(r, g_x, r.a - (in.d_1 + in.d_2) / 2.0 - in.p_r,
+            "gap of the tension lines, less the backs of the belt: half a rib pitch each, from memory");
+  } else if (is_set(in.d_b)) {
+    STEP_TO(r, g_x, r.a - (in.d_1 + in.d_2) / 2.0 - in.d_b, "gap of the tension lines, less two belt radii");
+  } else {
+    STEP_TO(r, g_x, r.a - (in.d_1 + in.d_2) / 2.0, "gap of the tension lines; the size of the belt is not given");
+  }
 }
 
 }  // namespace
+
+namespace {
+
+/// Without it, that of a belt of 1200 kg/m^3.
+double round_diameter(const Grooved::Input& in) {
+  constexpr double rho = 1200.0;
+  return is_set(in.d_b) ? in_si(in.d_b) : std::sqrt(4.0 * in_si(in.q) / (pi * rho));
+}
+
+}  // namespace
+
+/// Pull of a rib or a round belt at its rated power: ribs PK have some 30 N per mm of pitch, from memory.
+double Grooved::most_rating(const Input& in) {
+  const Speed v = in.n_1 * in.d_1 / 2.0;
+  if (is_set(in.p_r)) return in_si(60.0 * N_per_mm * in.p_r * v);
+  const double d_b = round_diameter(in);
+  return 10e6 * pi / 4.0 * d_b * d_b * in_si(v);
+}
+
+/// Round belts of plastic bend around six to ten times their diameter, from memory.
+double Grooved::least_bend(const Input& in) {
+  constexpr double diameters = 5.0;
+  return in.kind == Kind::ribbed ? unset<double> : diameters * round_diameter(in);
+}
+
+/// The spans are inclined by 30 deg where the difference of the diameters is the centre distance.
+double Grooved::least_centre_distance(const Input& in) { return in_si(abs(in.d_2 - in.d_1)); }
+/// Longer spans of round belts swing and sag, from memory; ribbed belts are shorter.
+double Grooved::most_centre_distance(const Input& in) { return in_si(10.0 * (in.d_1 + in.d_2)); }
+double Grooved::least_length(const Input& in) {
+  const Length a = abs(in.d_2 - in.d_1), around = (in.d_1 + in.d_2) / 2.0;
+  if (!(a > around)) return unset<double>;
+  return in_si(std::sqrt(3.0) * a + pi * around + pi / 6.0 * a);
+}
 
 bool Grooved::pulleys_clear(const Input& in) {
   return is_set(in.a) == is_set(in.L) || stand_clear(grooved_pulleys(in));  // another rule names a and L

@@ -10,6 +10,7 @@
 
 #include "calculators/belt/geometry.hpp"
 #include "calculators/belt/shaft_load.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
@@ -181,7 +182,8 @@ v_max = "20 m/s"
     ShaftLoad shaft_1, shaft_2;
     AngularSpeed f_B = unset<AngularSpeed>;
     double u_S = unset<double>, u_T = unset<double>, u_P = unset<double>, u_b = unset<double>;
-    double x_d = unset<double>, x_v = unset<double>;
+    double x_d = unset<double>, x_v = unset<double>, x_b = unset<double>;
+    Length g_x = unset<Length>;
   };
   static constexpr Fields results{
       Field{&Result::i, "i", ratio, "speed ratio n_1/n_2 with slip"},
@@ -232,7 +234,11 @@ v_max = "20 m/s"
       Field{&Result::x_d, "x_d", ratio, "minimum pulley diameter / diameter of the smaller pulley"}
           .limit(0, 1, "d_min")
           .criterion(),
-      Field{&Result::x_v, "x_v", ratio, "belt speed / maximum belt speed"}.limit(0, 1, "v_max").sizeless()};
+      Field{&Result::x_v, "x_v", ratio, "belt speed / maximum belt speed"}.limit(0, 1, "v_max").sizeless(),
+      Field{&Result::x_b, "x_b", ratio, "width of the ribs / diameter of the smaller pulley (limit set by loadpath)"}
+          .limit(0, 1)
+          .where_it_applies(),
+      Field{&Result::g_x, "g_x", mm, "clearance between the belt on the two pulleys"}.limit(0, 1e6).criterion()};
 
   static bool has_mass(const Input& in) { return is_set(in.q) || (is_set(in.d_b) && is_set(in.rho)); }
   static bool has_capacity(const Input& in) {
@@ -255,22 +261,49 @@ v_max = "20 m/s"
                   "give either S_adm or sigma_adm"},
       Rule<Input>{[](const Input& in) { return !is_set(in.sigma_adm) || is_set(in.d_b); }, "sigma_adm, d_b",
                   "the allowable stress sigma_adm needs the belt diameter d_b"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.E_b) || is_set(in.sigma_adm); }, "E_b, sigma_adm",
-                  "the bending modulus E_b needs the allowable stress sigma_adm"},
+      Rule<Input>{[](const Input& in) {
+                    return !is_set(in.E_b) || is_set(in.sigma_adm) || (is_set(in.S_adm) && is_set(in.d_b));
+                  },
+                  "E_b, sigma_adm, S_adm, d_b",
+                  "the bending modulus E_b needs the allowable stress sigma_adm, or S_adm and d_b"},
       Rule<Input>{[](const Input& in) { return in.kind == Kind::round || !is_set(in.d_b); }, "kind, d_b",
                   "a V-ribbed belt has no diameter d_b: give q and S_adm or P_R of one rib"},
       Rule<Input>{&belt_is_thin, "d_b, d_1, d_2", "the belt must be thinner than half of the smaller pulley"}};
 
+  static double most_rating(const Input& in);
+  static double least_bend(const Input& in);
+  static double most_speed(const Input& in) { return in.kind == Kind::round ? 40.0 : 60.0; }  // m/s, from memory
+  static double groove_angle(const Input& in) { return in.kind == Kind::ribbed ? 2.0 * pi / 9.0 : unset<double>; }
+  static double least_centre_distance(const Input& in);
+  static double most_centre_distance(const Input& in);
+  static double least_length(const Input& in);
+  static constexpr std::array bounds{
+      Bound<Input>{"P_R", "a pull of 60 N per mm of rib pitch or 10 N/mm^2 of a round belt", &most_rating},
+      Bound<Input>{"d_min", "a bend of 5 belt diameters", &least_bend}.least(),
+      Bound<Input>{"v_max", "this type of belt", &most_speed},
+      Bound<Input>{"phi", "ribs of ISO 9982", &groove_angle},
+      Bound<Input>{"phi", "ribs of ISO 9982", &groove_angle}.least(),
+      Bound<Input>{"a", "a wrap of 120 deg", &least_centre_distance}.least(),
+      Bound<Input>{"a", "ten times the sum of the diameters", &most_centre_distance},
+      Bound<Input>{"L", "a wrap of 120 deg", &least_length}.least(),
+      Bound<Input>{"d_1", "a speed ratio of 7", [](const Input& in) { return in_si(7.0 * in.d_2); }},
+      Bound<Input>{"d_2", "a speed ratio of 7", [](const Input& in) { return in_si(7.0 * in.d_1); }}};
+
   static constexpr bool turns = true;
   static Applies tensioned(const Input& in) { return where(is_set(in.S_adm) || is_set(in.sigma_adm)); }
   static Applies rated(const Input& in) { return where(in.kind == Kind::ribbed || is_set(in.P_R)); }
-  static Applies bent(const Input& in) { return where(is_set(in.sigma_adm)); }
+  static Applies bent(const Input& in) {
+    return where(is_set(in.sigma_adm) || (in.kind == Kind::round && is_set(in.S_adm)));
+  }
+  static Applies ribbed(const Input& in) { return where(is_set(in.p_r)); }
   static constexpr std::array meanings{Meaning{"P", "mean"}};
   static constexpr std::array modes{
       Mode<Input>{"grip", "belt slip in the grooves", &always<Input>}.judged_by("u_S"),
       Mode<Input>{"strength", "tensile strength, tight span", &tensioned}.judged_by("u_T, S_N"),
       Mode<Input>{"rating", "power rating of the belts or ribs", &rated}.judged_by("u_P"),
       Mode<Input>{"bending", "bending at the smaller pulley", &bent}.judged_by("u_b"),
+      Mode<Input>{"width", "belt width within the pulleys", &ribbed}.judged_by("x_b").of_shape(),
+      Mode<Input>{"room", "clearance between the pulleys", &always<Input>}.judged_by("g_x").of_shape(),
       Mode<Input>{"pulley", "minimum pulley diameter", &always<Input>}.judged_by("x_d").of_shape().wanting("d_min"),
       Mode<Input>{"speed", "maximum belt speed", &always<Input>}.judged_by("x_v").wanting("v_max"),
       Mode<Input>{"fatigue", "belt fatigue life (flex rate)", &unseen<Input>}.special(),

@@ -5,6 +5,7 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -65,6 +66,7 @@ void lay_teeth(const Synchronous::Input& in, Synchronous::Result& r, Tracer& tra
   pulleys.a = unset<Length>;
   lay(pulleys, r, trace);
   STEP_TO(r, g_x, r.a - (r.d_1 + r.d_2) / 2.0, "gap of the pitch circles");
+  STEP_TO(r, g_f, g_x - in.p_b / 2.0, "two flanges, a quarter of the pitch beyond the pitch circle each, from memory");
   STEP_TO(r, f_B, 2.0 * r.v / L, "two bends per belt revolution");
 }
 
@@ -128,9 +130,31 @@ double least_pulley(const Synchronous::Input& in, AngularSpeed n_k) {
   return n_k <= 1800.0 * rpm ? in.z_1800 : in.z_3600;
 }
 
+/// Standard widths of a section begin here, from memory of ISO 5296; of inch pitches, by which sections are known.
+Length least_standard_width(Length p_b) {
+  struct Section {
+    double p_b, b;  // mm
+  };
+  constexpr std::array sections{Section{5.08, 6.4}, Section{9.525, 12.7}, Section{12.7, 19.1}, Section{22.225, 50.8},
+                                Section{31.75, 50.8}};
+  for (const Section& section : sections) {
+    if (std::abs(in_si(p_b) - section.p_b * 1e-3) < 1e-6) return section.b * mm;
+  }
+  return unset<Length>;
+}
+
+template <class Tracer>
+void limit_width(const Synchronous::Input& in, Synchronous::Result& r, Tracer& trace) {
+  const Length least = least_standard_width(in.p_b);
+  if (!is_set(least)) return;
+  r.b_s = trace.value("b_s", least, "smallest standard width of the section, ISO 5296, from memory");
+  STEP_TO(r, x_w, r.b_s / in.b, "smallest standard / actual width");
+}
+
 template <class Tracer>
 void limit_teeth(const Synchronous::Input& in, Synchronous::Result& r, Tracer& trace) {
   STEP_TO(r, x_b, in.b / in.b_0, "width / base width");
+  limit_width(in, r, trace);
   if (is_set(in.v_max)) {
     STEP_TO(r, x_v, r.v / in.v_max, "speed / maximum speed");
   }
@@ -144,6 +168,32 @@ void limit_teeth(const Synchronous::Input& in, Synchronous::Result& r, Tracer& t
 }
 
 }  // namespace
+
+/// A wider belt runs unevenly on pulleys that are not parallel; bound set by loadpath.
+double Synchronous::most_width(const Input& in) { return in_si(pitch_diameter(std::min(in.z_1, in.z_2), in.p_b)); }
+
+/// The sections of the table have 1.0 to 2.2 N/mm^2, other profiles up to some 4 N/mm^2, from memory.
+double Synchronous::most_pull(const Input& in) { return in_si(5.0 * MPa * in.p_b * in.b_0); }
+
+/// Pitches of curvilinear profiles only, which the rating does not cover: the next smaller trapezoidal pitch.
+double Synchronous::trapezoidal_pitch(const Input& in) {
+  struct Pitch {
+    double curvilinear, trapezoidal;  // mm
+  };
+  for (const Pitch& pitch : {Pitch{3.0, 2.5}, Pitch{8.0, 5.08}, Pitch{14.0, 12.7}}) {
+    if (std::abs(in_si(in.p_b) - pitch.curvilinear * 1e-3) < 1e-6) return pitch.trapezoidal * 1e-3;
+  }
+  return unset<double>;
+}
+
+/// The spans are inclined by 30 deg where the difference of the diameters is the centre distance.
+double Synchronous::least_centre_distance(const Input& in) {
+  return std::abs(in_si(pitch_diameter(in.z_2, in.p_b) - pitch_diameter(in.z_1, in.p_b)));
+}
+double Synchronous::least_belt_teeth(const Input& in) {
+  const double a = in.z_B > 0 ? least_centre_distance(in) : unset<double>;
+  return a > in_si(least_centre(in)) ? std::ceil(teeth_at(in, from_si<Length>(a)) - last_bits) : unset<double>;
+}
 
 bool Synchronous::pulleys_apart(const Input& in) { return !is_set(in.a) || !is_set(in.p_b) || in.a > least_centre(in); }
 FieldFault Synchronous::pulleys_touch(const Input& in) { return overlap(toothed_pulleys(in, 0.0)); }

@@ -10,6 +10,7 @@
 
 #include "calculators/belt/geometry.hpp"
 #include "calculators/belt/shaft_load.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
@@ -116,7 +117,7 @@ b = "50.8 mm"
           .from("synchronous_belt", "m_0"),
       Field{&Input::k_1, "k_1", ratio,
             "tension factor: tight side tension / effective pull, without centrifugal tension (1.1 to 1.3)"}
-          .within(1, 3)
+          .within(1.1, 3)
           .usually(1.1, 1.5),
       Field{&Input::v_max, "v_max", m_per_s, "maximum belt speed"}.positive().usually(10, 80).from("synchronous_belt",
                                                                                                    "v_max"),
@@ -151,7 +152,9 @@ b = "50.8 mm"
     AngularSpeed f_B = unset<AngularSpeed>;
     double u_P = unset<double>;
     double x_m = unset<double>, x_z = unset<double>, x_v = unset<double>, x_n = unset<double>, x_b = unset<double>;
-    Length g_x = unset<Length>;
+    Length b_s = unset<Length>;
+    double x_w = unset<double>;
+    Length g_x = unset<Length>, g_f = unset<Length>;
   };
   static constexpr Fields results{
       Field{&Result::i, "i", ratio, "speed ratio n_1/n_2, exact"},
@@ -206,7 +209,15 @@ b = "50.8 mm"
           .limit(0, 1, "n_max")
           .sizeless(),
       Field{&Result::x_b, "x_b", ratio, "belt width / base width (the widest rated belt)"}.limit(0, 1 + 1e-9),
-      Field{&Result::g_x, "g_x", mm, "clearance between the pitch circles of the pulleys"}};
+      Field{&Result::b_s, "b_s", mm, "smallest standard width of the section"},
+      Field{&Result::x_w, "x_w", ratio, "smallest standard width of the section / belt width"}
+          .limit(0, 1 + 1e-9)
+          .where_it_applies(),
+      Field{&Result::g_x, "g_x", mm, "clearance between the pitch circles of the pulleys"},
+      Field{&Result::g_f, "g_f", mm, "clearance between the flanges of the pulleys"}
+          .limit(0, 1e6)
+          .criterion()
+          .sizeless()};
 
   static bool pulleys_apart(const Input& in);
   static FieldFault pulleys_touch(const Input& in);
@@ -223,6 +234,20 @@ b = "50.8 mm"
       Rule<Input>{&pulleys_apart, "a, p_b, z_1, z_2", "the pulleys must not overlap", &pulleys_touch},
       Rule<Input>{&belt_reaches, "z_B, z_1, z_2", "the belt must reach around both pulleys", &too_few_teeth}};
 
+  static double most_width(const Input& in);
+  static double most_pull(const Input& in);
+  static double trapezoidal_pitch(const Input& in);
+  static double least_centre_distance(const Input& in);
+  static double least_belt_teeth(const Input& in);
+  static constexpr std::array bounds{
+      Bound<Input>{"b", "the smaller pitch diameter", &most_width},
+      Bound<Input>{"F_a", "5 N/mm^2 of pitch x base width", &most_pull},
+      Bound<Input>{"p_b", "the next trapezoidal profile (3, 8, 14 mm: curvilinear)", &trapezoidal_pitch},
+      Bound<Input>{"a", "a wrap of 120 deg", &least_centre_distance}.least(),
+      Bound<Input>{"z_B", "a wrap of 120 deg", &least_belt_teeth}.least(),
+      Bound<Input>{"z_1", "a speed ratio of 7", [](const Input& in) { return 7.0 * in.z_2; }},
+      Bound<Input>{"z_2", "a speed ratio of 7", [](const Input& in) { return 7.0 * in.z_1; }}};
+
   static constexpr bool turns = true;
   static constexpr std::array meanings{Meaning{"P", "mean"}};
   static constexpr std::array modes{
@@ -230,7 +255,8 @@ b = "50.8 mm"
       Mode<Input>{"mesh", "teeth in mesh, smaller pulley", &always<Input>}.judged_by("x_m").of_shape(),
       Mode<Input>{"pulley", "minimum number of pulley teeth", &always<Input>}.judged_by("x_z, x_n"),
       Mode<Input>{"speed", "maximum belt speed", &always<Input>}.judged_by("x_v").wanting("v_max"),
-      Mode<Input>{"width", "belt width within the rated widths", &always<Input>}.judged_by("x_b").of_shape(),
+      Mode<Input>{"width", "belt width within the rated widths", &always<Input>}.judged_by("x_b, x_w").of_shape(),
+      Mode<Input>{"room", "clearance between the pulleys", &always<Input>}.judged_by("g_f").of_shape(),
       Mode<Input>{"ratcheting", "tooth jump under peak torque", &unseen<Input>}.special(),
       Mode<Input>{"fatigue", "fatigue life of the tension cord", &unseen<Input>}.special(),
       Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};

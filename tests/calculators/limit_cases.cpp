@@ -634,11 +634,20 @@ const Case drives[] = {
      "\"3.56 mm\"",
      "b", 2 * 3.56e-3},  // 180 W
     {"belt.grooved", "d_2 = \"80 mm\"", "alpha_1", pi},
+    {"belt.grooved", "sigma_adm = \nS_adm = \"100 N\"", "S_b", 15e6 * 6 / 80 * pi / 4 * 36e-6},
+    {"belt.grooved", "", "g_x", 0.3 - 0.12 - 0.006},
+    {"belt.grooved", "d_b = \nrho = \nsigma_adm = \nE_b = \nq = \"0.03 kg/m\"\nS_adm = \"100 N\"", "g_x", 0.18},
+    {"belt.grooved", "d_b = \nrho = \nsigma_adm = \nE_b = \nphi = \nribbed_belt = \"PK\"\nP_R = \"0.1 kW\"\nz = 10",
+     "x_b", 35.6 / 80},
+    {"belt.grooved", "d_b = \nrho = \nsigma_adm = \nE_b = \nphi = \nribbed_belt = \"PK\"\nP_R = \"0.1 kW\"", "g_x",
+     0.3 - 0.12 - 0.00356},
     {"belt.synchronous", "z_2 = 20", "z_0", 1000 / 12.7 + 20},
     {"belt.synchronous", "z_2 = 20", "z_m", 10.0},
     {"belt.synchronous", "P = \nT_1 = \"100 N*m\"\nn_1 = \"10 rad/s\"", "P_B", 1500.0},
     {"belt.synchronous", "b = \"76.2 mm\"", "k_w", 1.0},
     {"belt.synchronous", "a = \nz_B = 110\nz_2 = 20", "a", 0.0127 * 45},
+    {"belt.synchronous", "a = \nz_B = 110\nz_2 = 20", "g_f", 0.0127 * (45 - 20 / pi - 0.5)},
+    {"belt.synchronous", "b = \"38.2 mm\"", "x_w", 0.5},
     {"belt.v", "d_1 = \"200 mm\"\nd_2 = \"200 mm\"\nL = \nepsilon = 0\na = \"800 mm\"", "i", 1.0},
     {"belt.v",  // the mean life of GOST 1284.2, annex 3, under a medium load
      "basis = \"iso\"\nsection = \"B\"\nbelt_class = \"IV\"\nmotor = \nh_day = \nK_A = 1\nP = \"7.5 kW\"\nd_1 = \"140 "

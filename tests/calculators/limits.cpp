@@ -438,6 +438,8 @@ const Side pulleys[] = {
 
 const char* const large = "d_1 = \"140 mm\"\nd_2 = \"4000 mm\"";
 
+const char* const rib_of_3_56_mm =
+    "d_b = \nrho = \nsigma_adm = \nE_b = \nphi = \nribbed_belt = \"PK\"\nP_R = \"0.1 kW\"";
 const Side v_belts[] = {
     {"belt.grooved", "S_N", over, "n_1", R"("11600 rpm")", R"("11700 rpm")", "z = 1"},
     {"belt.grooved", "u_S", over, "S_0", R"("17.7 N")", R"("17.5 N")"},
@@ -446,6 +448,8 @@ const Side v_belts[] = {
     {"belt.grooved", "u_b", over, "E_b", R"("53 MPa")", R"("54 MPa")", "z = 1"},
     {"belt.grooved", "x_d", over, "d_min", R"("80 mm")", R"("81 mm")"},
     {"belt.grooved", "x_v", outside, "v_max", R"("5.9 m/s")", R"("5.8 m/s")"},
+    {"belt.grooved", "x_b", outside, "z", "22", "23", rib_of_3_56_mm},
+    {"belt.grooved", "g_x", over, "a", R"("126.1 mm")", R"("125.9 mm")"},
     {"belt.synchronous", "u_P", over, "P", R"("5.34 kW")", R"("5.35 kW")"},
     {"belt.synchronous", "P_R", over, "n_1", R"("16100 rpm")", R"("16200 rpm")", R"(b = "76.2 mm")"},
     {"belt.synchronous", "x_m", outside, "a", R"("250 mm")", R"("180 mm")", "z_1 = 6\nz_2 = 60"},
@@ -453,6 +457,8 @@ const Side v_belts[] = {
     {"belt.synchronous", "x_v", outside, "n_1", R"("7795 rpm")", R"("7796 rpm")"},
     {"belt.synchronous", "x_n", outside, "n_1", R"("3600 rpm")", R"("3601 rpm")"},
     {"belt.synchronous", "x_b", outside, "b", R"("76.2 mm")", R"("76.3 mm")"},
+    {"belt.synchronous", "x_w", outside, "b", R"("19.1 mm")", R"("19 mm")"},
+    {"belt.synchronous", "g_f", over, "z_B", "52", "51", "a = "},
     {"belt.v", "u_P", over, "z", "3", "2"},
     {"belt.v", "u_grip", over, "mu", "0.44", "0.43", "z = 9"},
     {"belt.v", "u_rim", over, "v_rim_adm", R"("15.9 m/s")", R"("15.8 m/s")"},

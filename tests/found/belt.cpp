@@ -106,6 +106,51 @@ TEST_SUITE("found belt") {
     CHECK(mode_with("belt.flat", "", "room") == "pass");
   }
 
+  TEST_CASE("belts of two pulleys do not pass through each other") {
+    CHECK(mode_with("belt.grooved", "a = \"121 mm\"", "room") == "fail");
+    CHECK(mode_with("belt.grooved", "", "room") == "pass");
+    CHECK(mode_with("belt.synchronous", "a = \nz_B = 51", "room") == "fail");
+    CHECK(mode_with("belt.synchronous", "", "room") == "pass");
+  }
+
+  TEST_CASE("a synchronous belt is not narrower than those of its section") {
+    CHECK(mode_with("belt.synchronous", "P = \"0.1 kW\"\nb = \"12.7 mm\"", "width") == "not-covered");
+    CHECK(mode_with("belt.synchronous", "P = \"0.1 kW\"\nb = \"25.4 mm\"", "width") == "pass");
+    CHECK(ExampleStep("belt.synchronous", "P = \"0.1 kW\"\nb = \"?\"")("b_s") == doctest::Approx(0.0191));
+  }
+
+  TEST_CASE("a curvilinear pitch, a pull of no belt and a wide or short drive of synchronous belts need a reason") {
+    const std::string own = "synchronous_belt = \nb_0 = \"76.2 mm\"\nm_0 = \"0.447 kg/m\"\n";
+    CHECK(mode_with("belt.synchronous", own + "F_a = \"2091 N\"\np_b = \"12.7 mm\"", "power") == "pass");
+    CHECK(mode_with("belt.synchronous", own + "F_a = \"2091 N\"\np_b = \"14 mm\"", "power") == "not-judged");
+    CHECK(mode_with("belt.synchronous", own + "F_a = \"9000 N\"\np_b = \"12.7 mm\"", "power") == "not-judged");
+    CHECK(mode_with("belt.synchronous", "z_1 = 20\nz_2 = 160\na = \"1 m\"", "room") == "not-judged");
+  }
+
+  TEST_CASE("a rating above what a rib or round belt can pull needs a reason") {
+    const std::string ribs = "d_b = \nrho = \nsigma_adm = \nE_b = \nphi = \nribbed_belt = \"PK\"\n";
+    CHECK(mode_with("belt.grooved", ribs + "P_R = \"4 kW\"", "rating") == "not-judged");
+    CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"", "rating") == "pass");
+    CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"\nphi = \"20 deg\"", "grip") == "not-judged");
+    CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"\nphi = \"40 deg\"", "grip") == "pass");
+  }
+
+  TEST_CASE("a round belt with an allowable tension bends too") {
+    CHECK(mode_with("belt.grooved", "sigma_adm = \nE_b = \nS_adm = \"100 N\"", "bending") == "not-judged");
+    CHECK(mode_with("belt.grooved", "sigma_adm = \nS_adm = \"100 N\"", "bending") == "pass");
+    CHECK(mode_with("belt.grooved", "d_min = \"20 mm\"", "pulley") == "not-judged");
+    CHECK(mode_with("belt.grooved", "d_min = \"40 mm\"", "pulley") == "pass");
+    CHECK(mode_with("belt.grooved", "v_max = \"100 m/s\"", "speed") == "not-judged");
+  }
+
+  TEST_CASE("the life of a flat belt needs a required life, and a plausible S-N curve") {
+    const std::string life = "m_f = 6\nL_req = \"100 h\"\n";
+    CHECK(mode_with("belt.flat", "sigma_f = \"9 MPa\"\nm_f = 6", "fatigue") == "not-judged");
+    CHECK(mode_with("belt.flat", life + "sigma_f = \"9 MPa\"", "fatigue") == "pass");
+    CHECK(mode_with("belt.flat", life + "sigma_f = \"40 MPa\"", "fatigue") == "not-judged");
+    CHECK(mode_with("belt.flat", "", "fatigue") == "open");
+  }
+
   TEST_CASE("a pulley below the least diameter of its section fails, one above the rated ones is not covered") {
     CHECK(mode_with("belt.v", "d_1 = \"139 mm\"", "pulley") == "fail");
     CHECK(mode_with("belt.v", "d_1 = \"140 mm\"", "pulley") == "pass");

@@ -21,7 +21,7 @@ namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; struct InvertedTooth; }
 namespace gear { struct Cycloidal; struct Pair; struct Planetary; struct Rating; }
 namespace gear { struct Pair; struct Planetary; struct Rating; struct Bevel; }
-namespace gear { struct Pair; struct Planetary; struct Rating; struct Bevel; struct Worm; }
+namespace gear { struct Pair; struct Planetary; struct Rating; struct Bevel; struct Worm; struct Crossed; }
 namespace chain { struct Roller; }
 namespace drive { struct Train; struct FrictionWheels; }
 namespace belt { struct Flat; struct V; struct VSizing; struct Synchronous; struct Grooved; struct Course; }
@@ -107,6 +107,7 @@ static constexpr std::array all{
     Row{&erased<gear::Cycloidal>},
     Row{&erased<gear::Bevel>},
     Row{&erased<gear::Worm>},
+    Row{&erased<gear::Crossed>},
     Row{&erased<chain::Roller>},
     Row{&erased<chain::InvertedTooth>},
     Row{&erased<drive::Train>},

@@ -366,6 +366,17 @@ const Side gears[] = {
     {"gear.worm", "x_s", outside, "n_1", R"("14045 rpm")", R"("14046 rpm")"},
     {"gear.worm", "C_s", outside, "m_x", R"("9.32 mm")", R"("9.33 mm")",  // 10^((1190 - 300)/477) in
      "d_1 = \"200 mm\"\nz_2 = 200\ncasting = \"sand\""},
+    {"gear.crossed", "u_C", over, "C_adm", R"("0.84 MPa")", R"("0.839 MPa")"},
+    {"gear.crossed", "eps_n", over, "h_aP", "0.729", "0.728",
+     "alpha_n = \"30 deg\"\nbeta_1 = \"5 deg\"\nbeta_2 = \"5 deg\""},
+    {"gear.crossed", "x_free", over, "z_1", "7", "6"},
+    {"gear.crossed", "s_a", over, "h_aP", "1.132", "1.133", "alpha_n = \"30 deg\""},
+    {"gear.crossed", "x_b1", over, "b_1", R"("7.33 mm")", R"("7.32 mm")"},  // 2 g_a2 sin(beta_b1)
+    {"gear.crossed", "x_b2", over, "b_2", R"("7.33 mm")", R"("7.32 mm")"},
+    {"gear.crossed", "x_L", over, "mu", "0.252", "0.251",  // cos(20 deg)/tan(75 deg)
+     "beta_1 = \"75 deg\"\nbeta_2 = \"15 deg\"\nlocking = \"required\""},
+    {"gear.crossed", "m_R1", outside, "bore_1", R"("40.7 mm")", R"("40.8 mm")"},
+    {"gear.crossed", "m_R2", outside, "bore_2", R"("97.3 mm")", R"("97.4 mm")"},
     {"gear.pair", "v_share", State::not_available, "cutting", R"("hobbed")", R"("none")"},
     {"gear.pair", "x_2", outside, "a_w", R"("102.48 mm")", R"("102.49 mm")", "beta = \"0 deg\"\nx_1 = 0"},
     {"gear.pair", "x_2", outside, "a_w", R"("96.1 mm")", R"("95.9 mm")", "beta = \"0 deg\"\nx_1 = 2.9"},

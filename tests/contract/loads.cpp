@@ -76,6 +76,7 @@ constexpr std::array takes_alone{
     Reason{"gear.rating", of_a_drive},
     Reason{"gear.bevel", of_a_drive},
     Reason{"gear.worm", of_a_drive},
+    Reason{"gear.crossed", of_a_drive},
     Reason{"chain.roller", of_a_drive},
     Reason{"chain.inverted_tooth", of_a_drive},
     Reason{"belt.flat", of_a_drive},

@@ -68,6 +68,7 @@ TEST_SUITE("cli list") {
                                                                  {"Zahnrad", "gear.pair"},
                                                                  {"bevel gear", "gear.bevel"},
                                                                  {"Schnecke", "gear.worm"},
+                                                                 {"Schraubradgetriebe", "gear.crossed"},
                                                                  {"подшипник", "bearing.rolling"},
                                                                  {"flywheel", "machine.flywheel"},
                                                                  {"critical speed", "shaft.design"},

@@ -486,7 +486,7 @@ const Case racks[] = {
     {"gear.crossed", "beta_1 = \"0 deg\"\nmu = 0", "F_a1", 0},
     {"gear.crossed", "P = \nT_2 = \"50 N*m\"", "F_t2", 50 / (0.040 * std::numbers::sqrt2)},
     {"gear.crossed", "P = \nT_1 = \"5 N*m\"", "F_t1", 5 / (0.020 * std::numbers::sqrt2)},
-    {"gear.crossed", "turns = \"cw\"\nP = \nT_1 = \"5 N*m\"", "F_y1", 1.25 * 5 / (0.020 * std::numbers::sqrt2)},
+    {"gear.crossed", "turns = \"cw\"\nP = \nT_1 = \"5 N*m\"", "F_y1", 5 / (0.020 * std::numbers::sqrt2)},
     {"gear.crossed", "b_1 = \"30 mm\"\nb_2 = \"40 mm\"", "b_e", 0.020},
     {"gear.crossed", "beta_1 = \"75 deg\"\nbeta_2 = \"15 deg\"\nlocking = \"required\"\nmu = 0.26", "x_L",
      0.26 * std::tan(75 * pi / 180) / std::cos(pi / 9)},

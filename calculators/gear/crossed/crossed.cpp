@@ -21,8 +21,7 @@ void slide(const Input& in, Result& r, Tracer& trace) {
   const double q = trace.value("q", r.Sigma < 0.0 ? -1.0 : 1.0, "sign of Sigma: direction of sliding");
   STEP(f_1, q * in.mu * tan(in.beta_1) / cos(in.alpha_n), "friction over driving force, gear 1");
   STEP(f_2, q * in.mu * tan(in.beta_2) / cos(in.alpha_n), "friction over driving force, gear 2");
-  STEP_TO(r, eta, (1.0 - f_2) / (1.0 + f_1),
-          "gear 1 drives; cos(beta_2 + rho) cos(beta_1)/(cos(beta_1 - rho) cos(beta_2))");
+  STEP_TO(r, eta, (1.0 - f_2) / (1.0 + f_1), "gear 1 drives, [Spiral-gears]");
   STEP_TO(r, eta_b, (1.0 - f_1) / (1.0 + f_2), "gear 2 drives: friction is reversed");
   if (in.locking != CrossedTypes::Locking::required) return;
   STEP_TO(r, x_L, f_1, "gear 2 does not turn gear 1");
@@ -36,7 +35,7 @@ inline void hand_over(const Input& in, double w, Result& r) {
   r.gear_1.d_f = r.d_f1, r.gear_1.h_t = (r.d_a1 - r.d_f1) / 2.0;
   r.gear_2.d_f = r.d_f2, r.gear_2.h_t = (r.d_a2 - r.d_f2) / 2.0;
   r.gear_1.kind = r.gear_2.kind = Mounted::gear;
-  r.gear_1.b_r = in.b_1, r.gear_2.b_r = in.b_2;
+  r.gear_1.b_r = in.b_1, r.gear_2.b_r = is_set(in.b_2) ? in.b_2 : in.b_1;
   r.gear_1.bore = in.bore_1, r.gear_2.bore = in.bore_2;
 }
 
@@ -79,11 +78,10 @@ void load(const Input& in, Result& r, Tracer& trace) {
 /// Load value as in Roloff/Matek and Decker, whose allowable values are charts over the sliding velocity.
 template <class Tracer>
 void rate_wear(const Input& in, Result& r, Tracer& trace) {
-  STEP_TO(r, b_e, min(min(in.b_1, in.b_2), 10.0 * in.m_n), "a wider face is not in contact");
   if (!is_set(r.F_n)) return;
   STEP(p_n, pi * in.m_n, "normal pitch");
   STEP(F_t, max(r.F_t1, r.F_t2), "larger tangential force");
-  STEP_TO(r, C, in.K_A * F_t / (b_e * p_n), "[Roloff-crossed]");
+  STEP_TO(r, C, in.K_A * F_t / (r.b_e * p_n), "[Roloff-crossed]");
   if (!is_set(in.C_adm)) return;
   STEP_TO(r, u_C, C / in.C_adm, "wear and pitting");
 }

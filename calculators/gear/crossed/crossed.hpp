@@ -22,9 +22,8 @@ struct Crossed : CrossedTypes {
   static constexpr auto id = "gear.crossed";
   static constexpr auto title = "Crossed helical gears (screw gears)";
   static constexpr auto scope =
-      "Geometry, sliding, efficiency in both directions, self-locking and forces of crossed helical gears; wear and "
-      "pitting by the load value, with its allowable value as an input; tooth breakage, scuffing and heat are not "
-      "covered.";
+      "Geometry, sliding, efficiency, self-locking and forces of crossed helical gears; wear and pitting by a load "
+      "value with its allowable value as an input; tooth breakage and heat are not covered.";
   static constexpr auto source = "[SDP-SI-crossed], [Roloff-crossed], [Spiral-gears]";
   static constexpr auto headline = "i = {i}";
   static constexpr auto details = "efficiency {eta}, centre distance {a}";
@@ -43,11 +42,9 @@ m_n = "2 mm"
 beta_1 = "45 deg"
 beta_2 = "45 deg"
 b_1 = "20 mm"
-b_2 = "20 mm"
 mu = 0.06
 P = "0.25 kW"
 n_1 = "1000 rpm"
-K_A = 1.25
 C_adm = "2 MPa"
 )";
 
@@ -63,7 +60,10 @@ C_adm = "2 MPa"
       Field{&Input::beta_1, "beta_1", deg, "helix angle, gear 1; positive for right-hand teeth"}.within(-75, 75),
       Field{&Input::beta_2, "beta_2", deg, "helix angle, gear 2; beta_1 + beta_2 is the shaft angle"}.within(-75, 75),
       Field{&Input::b_1, "b_1", mm, "face width, gear 1"}.positive().usually(2, 300),
-      Field{&Input::b_2, "b_2", mm, "face width, gear 2"}.positive().usually(2, 300),
+      Field{&Input::b_2, "b_2", mm, "face width, gear 2; omitted: that of gear 1"}
+          .positive()
+          .usually(2, 300)
+          .may_be_missing(),
       Field{&Input::alpha_n, "alpha_n", deg, "normal pressure angle"}.within(14.5, 30),
       Field{&Input::x_1, "x_1", ratio, "profile shift coefficient, gear 1; that of gear 2 is its negative"}
           .within(-0.6, 0.6)
@@ -142,8 +142,7 @@ C_adm = "2 MPa"
       Mode<Input>{"locking", "self-locking of the driven gear", &locks}.judged_by("x_L").special(),
       Mode<Input>{"rim_1", "rim thickness, gear 1", &unseen<Input>}.judged_by("m_R1").wanting("bore_1").special(),
       Mode<Input>{"rim_2", "rim thickness, gear 2", &unseen<Input>}.judged_by("m_R2").wanting("bore_2").special(),
-      Mode<Input>{"root_1", "tooth breakage, gear 1", &unseen<Input>}.special(),
-      Mode<Input>{"root_2", "tooth breakage, gear 2", &unseen<Input>}.special(),
+      Mode<Input>{"root", "tooth breakage", &unseen<Input>}.special(),
       Mode<Input>{"scuffing", "scuffing", &unseen<Input>}.special(),
       Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special(),
       Mode<Input>{"backlash", "backlash", &unseen<Input>}.special(),

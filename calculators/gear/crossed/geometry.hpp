@@ -50,8 +50,11 @@ void contact(const Input& in, Result& r, Tracer& trace) {
   STEP(p_bn, pi * in.m_n * cos(in.alpha_n), "normal base pitch, the same of both gears");
   STEP_TO(r, eps_n, (g_a1 + g_a2) / p_bn, "point contact: without overlap ratio");
   STEP(g_max, max(g_a1, g_a2), "longer part of the path of contact");
+  const Length b_w2 = is_set(in.b_2) ? trace.value("b_w2", in.b_2, "face width of gear 2, as given")
+                                     : trace.value("b_w2", in.b_1, "face width of gear 2, that of gear 1");
+  STEP_TO(r, b_e, min(min(in.b_1, b_w2), 10.0 * in.m_n), "a wider face is not in contact, [Roloff-crossed]");
   STEP_TO(r, x_b1, 2.0 * g_max * abs(sin(beta_b1)) / in.b_1, "pitch point in the middle of the face");
-  STEP_TO(r, x_b2, 2.0 * g_max * abs(sin(beta_b2)) / in.b_2, "pitch point in the middle of the face");
+  STEP_TO(r, x_b2, 2.0 * g_max * abs(sin(beta_b2)) / b_w2, "pitch point in the middle of the face");
   STEP(x_free1, in.z_1 * pow<2>(sin(alpha_t1)) / (2.0 * cos(in.beta_1)) - in.h_aP + in.x_1,
        "margin to undercut, gear 1");
   STEP(x_free2, in.z_2 * pow<2>(sin(alpha_t2)) / (2.0 * cos(in.beta_2)) - in.h_aP - in.x_1,

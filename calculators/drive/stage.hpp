@@ -32,6 +32,7 @@ inline Usual usual_of(TrainTypes::StageKind kind) {
       return {0.5, 0.9};
     case StageKind::planetary:
       return {0.94, 0.99};
+    case StageKind::crossed:  // from the helix angles and the friction: gear.crossed
     case StageKind::other:
       break;
   }

@@ -1,4 +1,5 @@
-// A train of drives, one behind the other: gears, belts with slip, chains, bevel gears, worms, planetary sets.
+// A train of drives, one behind the other: gears, belts with slip, chains, bevel, crossed helical gears, worms,
+// planetary sets.
 //
 // Decides the ratio, speed, torque and power of every shaft, the total efficiency, whether it reduces or multiplies,
 // and the loads of the wheels on each shaft: T_k = T_1 i eta over the stages before. Loads are nominal: the service
@@ -28,8 +29,8 @@ struct Train : TrainTypes {
   static constexpr auto title = "Drive train";
   static constexpr auto scope =
       "Speed ratio, speeds, torques, powers and efficiency along a series of stages: gears, belts with slip, "
-      "chains, bevel and worm gears and planetary sets, with the torque of every shaft; branched trains are not "
-      "covered.";
+      "chains, bevel, worm and crossed helical gears and planetary sets, with the torque of every shaft; branched "
+      "trains are not covered.";
   static constexpr auto source = "[B40]";
   static constexpr auto headline = "i = {i}";
   static constexpr auto synonyms =
@@ -101,9 +102,9 @@ stages = [
       Mode<Input>{"efficiency", "efficiency of the worm gear", &loads_a_worm}.judged_by("stages.x_eta"),
       Mode<Input>{"strength", "strength of the stages",
                   [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }}
-          .assessed_beside(
-              "gear.pair, gear.planetary, gear.bevel, gear.worm, chain.roller, chain.inverted_tooth, belt.v, "
-              "belt.flat, belt.grooved, belt.synchronous, drive.friction_wheels")
+          .assessed_beside("gear.pair, gear.planetary, gear.bevel, gear.worm, gear.crossed, chain.roller, "
+                           "chain.inverted_tooth, belt.v, belt.flat, belt.grooved, belt.synchronous, "
+                           "drive.friction_wheels")
           .for_each_of("stages", "shafts"),
       Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special()};
 

@@ -15,8 +15,10 @@ using StageKind = Train::StageKind;
 bool has_diameters(const Stage& s) { return is_set(s.d_1) && is_set(s.d_2); }
 bool has_planets(const Stage& s) { return s.z_s > 0 && s.z_r > 0; }
 
+/// The diameters of crossed helical gears do not give their ratio.
 bool is_known(const Stage& s) {
-  return s.kind == StageKind::planetary ? has_planets(s) : is_set(s.i) || s.has_teeth() || has_diameters(s);
+  if (s.kind == StageKind::planetary) return has_planets(s);
+  return is_set(s.i) || s.has_teeth() || (s.kind != StageKind::crossed && has_diameters(s));
 }
 
 /// The ratio is given at most once; inputs of other kinds of stage are absent.
@@ -49,8 +51,9 @@ FieldFault fault_of(const Train::Input& in, Holds holds, Message message, Messag
 bool Train::ratios_known(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), is_known); }
 
 FieldFault Train::open_ratio(const Input& in) {
-  return fault_of(in, is_known, say("the ratio of this stage is not given"),
-                  say("give i; or z_1 and z_2; or d_1 and d_2; of a planetary set z_s and z_r"));
+  return fault_of(
+      in, is_known, say("the ratio of this stage is not given"),
+      say("give i; or z_1 and z_2; or d_1 and d_2 (not of crossed helical gears); of a planetary set z_s and z_r"));
 }
 
 bool Train::ratios_single(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), is_single); }

@@ -9,7 +9,7 @@
 namespace loadpath::drive {
 
 struct TrainTypes {
-  enum class StageKind { gear, internal, bevel, belt, chain, worm, planetary, other };
+  enum class StageKind { gear, internal, bevel, belt, chain, worm, crossed, planetary, other };
   enum class Member { sun, carrier, ring };
   enum class Sense { usual, same, opposite };
   enum class EtaRange { usual, below, above, none };
@@ -111,15 +111,17 @@ struct TrainTypes {
 };
 
 constexpr auto choices_of(TrainTypes::StageKind) {
-  return std::array{ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::gear, "gear", "wheels with outer teeth"},
-                    ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::internal, "internal", "a wheel in a ring"},
-                    ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::bevel, "bevel", "bevel gears"},
-                    ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::belt, "belt", "belt"},
-                    ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::chain, "chain", "chain"},
-                    ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::worm, "worm", "worm and wheel"},
-                    ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::planetary, "planetary",
-                                                      "planetary set with one member held"},
-                    ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::other, "other", "anything with a ratio"}};
+  return std::array{
+      ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::gear, "gear", "wheels with outer teeth"},
+      ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::internal, "internal", "a wheel in a ring"},
+      ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::bevel, "bevel", "bevel gears"},
+      ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::belt, "belt", "belt"},
+      ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::chain, "chain", "chain"},
+      ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::worm, "worm", "worm and wheel"},
+      ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::crossed, "crossed", "crossed helical gears"},
+      ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::planetary, "planetary",
+                                        "planetary set with one member held"},
+      ChoiceName<TrainTypes::StageKind>{TrainTypes::StageKind::other, "other", "anything with a ratio"}};
 }
 constexpr auto choices_of(TrainTypes::Member) {
   using Member = TrainTypes::Member;

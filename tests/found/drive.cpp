@@ -81,6 +81,25 @@ TEST_SUITE("found drive") {
     CHECK(strength(bevel + worm("60")) == "fail");  // 81 MPa
   }
 
+  TEST_CASE("a stage of crossed helical gears is checked by the step of its gears") {
+    const std::string train =
+        "[train]\ncalculator = \"drive.train\"\nP = \"0.25 kW\"\nn_1 = \"1000 rpm\"\nstages = [{ name = \"screw\", "
+        "kind "
+        "= \"crossed\", z_1 = 20, z_2 = 40, m_n = \"2 mm\", eta = 0.88 }]\n";
+    const auto strength = [&](const std::string& C_adm) {
+      const std::string gears =
+          "[screw]\ncalculator = \"gear.crossed\"\nz_1 = \"=train.stages.screw.z_1\"\nz_2 = "
+          "\"=train.stages.screw.z_2\"\nm_n = \"=train.stages.screw.m_n\"\nbeta_1 = \"45 deg\"\nbeta_2 = \"45 "
+          "deg\"\nb_1 = \"20 mm\"\nb_2 = \"20 mm\"\nmu = 0.06\nP = \"=train.shafts[1].P\"\nn_1 = "
+          "\"=train.shafts[1].n\"\nK_A = 1.25\nC_adm = \"" +
+          C_adm + " MPa\"\n";
+      return mode_of(solved_as_found(train + gears), "train", "strength");
+    };
+    CHECK(mode_of(solved_as_found(train), "train", "strength") == "open");
+    CHECK(strength("2") == "pass");
+    CHECK(strength("0.5") == "fail");  // 0.84 MPa
+  }
+
   TEST_CASE("A13: a shaft that takes a chain's pull with K_A takes no torque without it") {
     const auto faults = [](const std::string& loads) {
       const std::string text = R"([chain]

@@ -125,6 +125,7 @@ TEST_SUITE("drive train") {
   TEST_CASE("what a user can get wrong is told") {
     says("", "'stages' is empty");
     says("{ kind = \"gear\", z_1 = 20 }", "the ratio of this stage is not given");
+    says("{ kind = \"crossed\", d_1 = \"40 mm\", d_2 = \"80 mm\" }", "the ratio of this stage is not given");
     says("{ kind = \"gear\", i = 2, z_1 = 20, z_2 = 40 }", "given more than once");
     says("{ kind = \"gear\", z_s = 20, z_r = 40, i = 3 }", "given more than once");
     says("{ kind = \"planetary\", z_s = 20, z_r = 60, out = \"sun\" }", "cannot enter and leave by one member");

@@ -294,8 +294,10 @@ void JointSearch::leave_open(SizeIndices nearest) {
     const std::string size = format_quantity(sizes_.at(i).size(), sizes_.search(i).leaf.field->unit);
     sizes += (i == 0 ? "" : ", ") + sizes_.search(i).path + " = " + size;
   }
-  const Message why =
-      say("no sizes pass together, nearest are {1}: {2}", sizes, fault_of_candidate(evaluation_, passing_).text);
+  Message fault;  // of the part as a whole, before that of a check
+  for (std::size_t i = 0; i < sizes_.count() && fault.empty(); ++i) fault = sizes_.fault(i);
+  if (fault.empty()) fault = fault_of_candidate(evaluation_, passing_).text;
+  const Message why = say("no sizes pass together, nearest are {1}: {2}", sizes, fault);
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
     const std::string& path = sizes_.search(i).path;
     evaluation_.inputs().leaf(path).set(std::nan(""));

@@ -475,6 +475,7 @@ const Case racks[] = {
     {"gear.worm", "b_2 = \"35 mm\"", "F_e", 0.0268},
     {"gear.worm", "P = \nT_2 = \"80 N*m\"", "F_t2", 1000},
     {"gear.worm", "P = \nT_1 = \"4 N*m\"", "F_t1", 200},
+    {"gear.worm", "P = \nT_1 = \"4 N*m\"", "tau_f1", 16 * 1.25 * 4 / (pi * 2.7e-5)},  // 30 mm at the root
     {"gear.worm", "y = 0.125", "y", 0.125},
     {"gear.worm", "A_h = \ndT_adm = \nP_cool = \"1 kW\"", "P_K", 1000},
     {"gear.worm", "cooling = \"fan\"", "P_K", 63.05 * (1400.0 / 3939.0 + 0.13) * 0.25 * 60},

@@ -363,6 +363,9 @@ const Side gears[] = {
     {"gear.worm", "x_L", over, "mu", "0.188", "0.187", "locking = \"required\""},  // 0.2 cos(20 deg)
     {"gear.worm", "x_i", outside, "z_2", "200", "201"},
     {"gear.worm", "m_R2", outside, "bore_2", R"("128.4 mm")", R"("128.5 mm")"},
+    {"gear.worm", "x_b", over, "b_2", R"("12 mm")", R"("11.9 mm")"},
+    {"gear.worm", "tau_f1", over, "T_1", R"("424.1 N*m")", R"("424.2 N*m")", "P = "},  // 1.25 T_1 / (pi 30^3/16 mm^3)
+    {"gear.worm", "x_n", outside, "n_1", R"("3600 rpm")", R"("3601 rpm")"},
     {"gear.worm", "x_s", outside, "n_1", R"("14045 rpm")", R"("14046 rpm")"},
     {"gear.worm", "C_s", outside, "m_x", R"("9.32 mm")", R"("9.33 mm")",  // 10^((1190 - 300)/477) in
      "d_1 = \"200 mm\"\nz_2 = 200\ncasting = \"sand\""},

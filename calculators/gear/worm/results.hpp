@@ -22,6 +22,9 @@ inline constexpr auto worm_results = [] {
       Field{&Result::d_f2, "d_f2", mm, "root diameter of the wheel"},
       Field{&Result::L_1, "L_1", mm, "recommended threaded length of the worm"},
       Field{&Result::b_2H, "b_2H", mm, "effective width of the wheel: a wider face is not in contact"},
+      Field{&Result::x_b, "x_b", ratio, "face width of the wheel / axial module, at least 3"}
+          .limit(3 * (1 - 1e-9), 1e4)
+          .criterion(),
       Field{&Result::z_min, "z_min", ratio, "minimum number of teeth of the wheel without undercut"},
       Field{&Result::x_z, "x_z", ratio, "undercut: number of teeth of the wheel / minimum"}
           .limit(0.98, 1e4)
@@ -57,6 +60,11 @@ inline constexpr auto worm_results = [] {
           .load()
           .with("F_y1, F_r, T_1|worm.T")
           .holding("K_A"),
+      Field{&Result::tau_f1, "tau_f1", MPa,
+            "torsional stress of the worm at its root circle, with K_A, at most 100 MPa"}
+          .limit(0, 100)
+          .criterion()
+          .where_it_applies(),
       Group{&Result::worm, "worm", "shaft load of the worm: x towards the wheel, for load"}.handed_over(),
       Group{&Result::wheel, "wheel", "shaft load of the wheel: x towards the worm, z along y of the worm, for load"}
           .handed_over(),
@@ -74,6 +82,9 @@ inline constexpr auto worm_results = [] {
           .where_it_applies(),
       Field{&Result::x_s, "x_s", ratio, "sliding velocity / 30 m/s, up to which the velocity factor holds"}
           .limit(0, 1)
+          .where_it_applies(),
+      Field{&Result::x_n, "x_n", ratio, "speed of the worm / 3600 rpm, up to which AGMA 6034 applies"}
+          .limit(0, 1 + 1e-9)
           .where_it_applies(),
       Field{&Result::F_e, "F_e", mm, "effective face width of the wheel, at most 0.67 d_1"},
       Field{&Result::W_tR, "W_tR", N, "rated tangential force of the wheel"},

@@ -64,6 +64,7 @@ void rate_wear(const Input& in, Result& r, Tracer& trace) {
   r.C_m = ratio_factor(r.i, trace);
   r.C_v = velocity_factor(r, trace);
   STEP_TO(r, x_s, r.v_s / (30.0 * m_per_s), "6000 ft/min");
+  STEP_TO(r, x_n, in.n_1 / (3600.0 * rpm), "range of speeds, from memory of AGMA 6034");
   if (!is_set(r.C_m)) return;
   STEP(F_i, r.F_e / (25.4 * mm), "effective face width in inches");
   STEP_TO(r, W_tR, 4.44822 * C_s * pow(D_G, 0.8) * F_i * r.C_m * r.C_v * N, "[AGMA6034], in pounds");
@@ -74,14 +75,19 @@ void rate_wear(const Input& in, Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
+double form_factor(double alpha_n, Tracer& trace) {
+  STEP(alpha_d, alpha_n / deg, "pressure angle in degrees");
+  return NAMED_STEP("y", alpha_d < 20.0 ? 0.1 + 0.025 * (alpha_d - 14.5) / 5.5 : 0.125 + 0.005 * (alpha_d - 20.0),
+                    "0.100, 0.125, 0.150, 0.175 at 14.5, 20, 25, 30 deg, [AGMA6034]");
+}
+
+template <class Tracer>
 void bend(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(r.F_t2) || !is_set(r.v_2)) return;
   if (is_set(in.y)) {
     STEP_TO(r, y, in.y, "as given");
   } else {
-    STEP(alpha_d, in.alpha_n / deg, "pressure angle in degrees");
-    STEP_TO(r, y, alpha_d < 20.0 ? 0.1 + 0.025 * (alpha_d - 14.5) / 5.5 : 0.125 + 0.005 * (alpha_d - 20.0),
-            "0.100, 0.125, 0.150, 0.175 at 14.5, 20, 25, 30 deg, [AGMA6034]");
+    r.y = form_factor(in.alpha_n, trace);
   }
   STEP(v_G, r.v_2 / (0.00508 * m_per_s), "pitch line velocity of the wheel in ft/min");
   STEP_TO(r, K_v, (1200.0 + v_G) / 1200.0, "[AGMA6034]");

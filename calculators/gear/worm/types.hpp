@@ -42,6 +42,7 @@ struct WormTypes {
     Length p_x = unset<Length>, p_z = unset<Length>, d_2 = unset<Length>, a = unset<Length>;
     Length d_a1 = unset<Length>, d_f1 = unset<Length>, d_a2 = unset<Length>, d_f2 = unset<Length>;
     Length L_1 = unset<Length>, b_2H = unset<Length>;
+    double x_b = unset<double>;
     double z_min = unset<double>, x_z = unset<double>;
     AngularSpeed n_2 = unset<AngularSpeed>;
     Speed v_2 = unset<Speed>, v_s = unset<Speed>;
@@ -50,9 +51,11 @@ struct WormTypes {
     Force F_t1 = unset<Force>, F_t2 = unset<Force>, F_r = unset<Force>, F_n = unset<Force>;
     Power P_1 = unset<Power>, P_2 = unset<Power>, P_V = unset<Power>;
     Force F_y1 = unset<Force>, F_z1 = unset<Force>;
+    Stress tau_f1 = unset<Stress>;
     ShaftLoad worm, wheel;
     double m_R2 = unset<double>;
     double C_s = unset<double>, C_m = unset<double>, C_v = unset<double>, x_i = unset<double>, x_s = unset<double>;
+    double x_n = unset<double>;
     Length F_e = unset<Length>;
     Force W_tR = unset<Force>;
     double S_W = unset<double>, y = unset<double>, K_v = unset<double>;

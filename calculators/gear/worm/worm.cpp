@@ -25,6 +25,7 @@ void lay_out(const Input& in, Result& r, Tracer& trace) {
   }
   STEP_TO(r, L_1, p_x * (4.5 + 0.02 * in.z_2), "[KHK-worm]");
   STEP_TO(r, b_2H, 2.0 * in.m_x * sqrt(q + 1.0), "[KHK-worm]");
+  STEP_TO(r, x_b, in.b_2 / in.m_x, "narrower wheels are not customary, from memory");
   STEP(alpha_x, atan(tan(in.alpha_n) / cos(gamma)), "axial pressure angle");
   STEP_TO(r, z_min, 2.0 * in.h_aP / pow<2>(sin(alpha_x)), "a rack in the middle plane cuts the wheel");
   STEP_TO(r, x_z, in.z_2 / z_min, "undercut condition");
@@ -76,6 +77,8 @@ void load(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, F_r, r.F_n * sin(in.alpha_n), "along the line of centres");
   STEP_TO(r, T_1, F_t1 * in.d_1 / 2.0, "torque of the worm");
   STEP_TO(r, T_2, F_t2 * r.d_2 / 2.0, "torque of the wheel");
+  STEP_TO(r, tau_f1, 16.0 * in.K_A * T_1 / (pi * pow<3>(r.d_f1)),
+          "solid core; 100 MPa is high for worms of steel, from memory");
   if (is_set(in.n_1)) {
     STEP_TO(r, P_1, T_1 * in.n_1, "power of the worm");
     STEP_TO(r, P_2, T_2 * r.n_2, "power of the wheel");

@@ -7,12 +7,14 @@
 // loads; the records worm and wheel have K_A. Heat is that of the nominal power. C_s below a centre distance of 3 in:
 // 720 + 10.37 C^3, as in [EngineersEdge-worm] and [Shigley-15-32], continuous at 3 in, where C_s is 1000; a reprint
 // with 270 jumps there and is a misprint of 720. Recalled: the heat transfer of the case, 0.67 d_1 (the sheet of
-// [AGMA6034] has d_1/3). Not covered: driving wheels, except for their efficiency, globoid worms, other materials than
-// bronze on steel, losses of bearings, seals and churning.
+// [AGMA6034] has d_1/3), 3600 rpm, 100 MPa of torsion, widths from 3 m_x. Not covered: driving wheels, except for their
+// efficiency, globoid worms, other materials than bronze on steel, losses of bearings, seals and churning.
 #pragma once
 
+#include "calculators/gear/worm/bounds.hpp"
 #include "calculators/gear/worm/results.hpp"
 #include "calculators/gear/worm/types.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 
@@ -141,8 +143,13 @@ dT_adm = "60 K"
                   "d_1, m_x, h_fP", "the worm has no core: d_1 must exceed twice the dedendum h_fP m_x"},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_1) || !is_set(in.m_x) || in.m_x * in.z_1 <= in.d_1; },
                   "z_1, m_x, d_1", "the lead angle must not exceed 45 deg: increase d_1, or reduce z_1"},
-      Rule<Input>{[](const Input& in) { return in.h_fP > in.h_aP; }, "h_fP, h_aP",
-                  "the dedendum must exceed the addendum, for tip clearance"},
+      Rule<Input>{[](const Input& in) { return in.h_fP - in.h_aP >= 0.1 - 1e-9; }, "h_fP, h_aP",
+                  "the dedendum must exceed the addendum by at least 0.1, the tip clearance in modules"},
+      Rule<Input>{[](const Input& in) {
+                    return !is_set(in.b_2) || !is_set(in.d_1) || !is_set(in.m_x) ||
+                           in.b_2 <= in.d_1 + 2.0 * in.h_aP * in.m_x;
+                  },
+                  "b_2, d_1, m_x, h_aP", "the wheel must not be wider than the tip diameter of the worm: reduce b_2"},
       Rule<Input>{[](const Input& in) {
                     return static_cast<int>(is_set(in.T_1)) + static_cast<int>(is_set(in.T_2)) +
                                static_cast<int>(is_set(in.P)) <=
@@ -165,18 +172,26 @@ dT_adm = "60 K"
       Rule<Input>{[](const Input& in) { return !cools(in) || (carries(in) && is_set(in.n_1)); },
                   "A_h, P_cool, n_1, T_1, T_2, P", "the power loss needs a load (T_1, T_2 or P) and the speed n_1"}};
 
+  static constexpr std::array bounds{
+      Bound<Input>{"mu", "the sliding velocity, less 20 %", &worm_gear::least_friction}.least(),
+      Bound<Input>{"mu", "the sliding velocity, plus 25 %", &worm_gear::most_friction},
+      Bound<Input>{"y", "the pressure angle", &worm_gear::most_form_factor},
+      Bound<Input>{"d_1", "the thinnest usual worm, 6 m_x", &worm_gear::least_diameter}.least()};
+
   static constexpr bool turns = true;
   static Applies loaded(const Input& in) { return where(carries(in)); }
   static Applies locks(const Input& in) { return shown_by(in.locking == Locking::required); }
   static Applies heats(const Input& in) { return carries(in) ? shown_by(is_set(in.n_1)) : Applies::no; }
   static constexpr std::array modes{
       Mode<Input>{"wear", "pitting and wear of the wheel", &loaded}
-          .judged_by("u_W, C_s, x_i, x_s")
+          .judged_by("u_W, C_s, x_i, x_s, x_n")
           .asking("give S_Wmin and casting, with n_1"),
       Mode<Input>{"root_2", "tooth bending of the wheel", &loaded}.judged_by("u_F").asking("give sigma_adm, with n_1"),
       Mode<Input>{"heat", "thermal capacity", &heats}.judged_by("u_T").asking("give A_h with dT_adm, or P_cool"),
       Mode<Input>{"locking", "self-locking of the driven worm", &locks}.judged_by("x_L").special(),
       Mode<Input>{"undercut", "undercut of the wheel", &always<Input>}.judged_by("x_z").of_shape(),
+      Mode<Input>{"width", "face width of the wheel", &always<Input>}.judged_by("x_b").of_shape(),
+      Mode<Input>{"core", "torsion of the worm", &loaded}.judged_by("tau_f1"),
       Mode<Input>{"rim_2", "rim thickness of the wheel", &unseen<Input>}.judged_by("m_R2").wanting("bore_2").special(),
       Mode<Input>{"deflection", "deflection of the worm shaft", &unseen<Input>}.special().assessed_beside(
           "shaft.design"),

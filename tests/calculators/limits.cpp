@@ -347,6 +347,7 @@ const Side gears[] = {
     {"gear.bevel", "u_F2", over, "S_Fmin", "1.711", "1.712"},
     {"gear.bevel", "x_R", over, "b", R"("29.8 mm")", R"("29.9 mm")"},  // a third of 89.44 mm
     {"gear.bevel", "x_m", over, "b", R"("40 mm")", R"("40.1 mm")", "z_1 = 40\nz_2 = 80"},
+    {"gear.bevel", "x_m", over, "b", R"("8 mm")", R"("7.9 mm")"},
     {"gear.bevel", "eps_v", over, "h_aP", "0.734", "0.733",
      "alpha = \"25 deg\"\nz_1 = 8\nz_2 = 8\nb = \"8 mm\"\nx_1 = 0"},
     {"gear.bevel", "x_free", over, "x_1", "-0.327", "-0.328"},

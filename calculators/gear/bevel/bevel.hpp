@@ -6,11 +6,14 @@
 // one. Frame of each shaft: x from its axis towards the mesh, z along it away from the apex. The geometry factors I
 // and J are read from charts of the standard and are inputs. Allowable stresses of through-hardened steel of grade 1
 // by its hardness, or as given. Not covered: spiral, Zerol and hypoid teeth, load spectra, scuffing, case crushing,
-// the hardness ratio factor by formula. Recalled: the maximum velocity, 0.7 for idlers.
+// the hardness ratio factor by formula. Recalled: the maximum velocity, 0.7 for idlers, bounds of I, J
+// and the speed, widths from 2 m_et.
 #pragma once
 
+#include "calculators/gear/bevel/bounds.hpp"
 #include "calculators/gear/bevel/results.hpp"
 #include "calculators/gear/bevel/types.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -185,8 +188,8 @@ S_Fmin = 1.5
                   "the bore of gear 1 must be less than its pitch diameter m_et z_1"},
       Rule<Input>{[](const Input& in) { return !(in.bore_2 >= in.m_et * in.z_2); }, "bore_2, m_et, z_2",
                   "the bore of gear 2 must be less than its pitch diameter m_et z_2"},
-      Rule<Input>{[](const Input& in) { return in.h_fP > in.h_aP; }, "h_fP, h_aP",
-                  "the dedendum must exceed the addendum, for tip clearance"},
+      Rule<Input>{[](const Input& in) { return in.h_fP - in.h_aP >= 0.1 - 1e-9; }, "h_fP, h_aP",
+                  "the dedendum must exceed the addendum by at least 0.1, the tip clearance in modules"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.T_1) && is_set(in.P)); }, "T_1, P",
                   "give the load as T_1 or as P, not both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.P) || is_set(in.n_1); }, "P, n_1",
@@ -210,6 +213,19 @@ S_Fmin = 1.5
                   "the safety factor S_Hmin needs the geometry factor I"},
       Rule<Input>{[](const Input& in) { return !is_set(in.S_Fmin) || is_set(in.J_1) || is_set(in.J_2); },
                   "S_Fmin, J_1, J_2", "the safety factor S_Fmin needs a geometry factor J_1 or J_2"}};
+
+  static constexpr std::array bounds{Bound<Input>{"s_ac1", "the hardness H_B1, plus 10 %",
+                                                  [](const Input& in) { return bevel::most_contact_number(in.H_B1); }},
+                                     Bound<Input>{"s_at1", "the hardness H_B1, plus 10 %",
+                                                  [](const Input& in) { return bevel::most_bending_number(in.H_B1); }},
+                                     Bound<Input>{"s_ac2", "the hardness H_B2, plus 10 %",
+                                                  [](const Input& in) { return bevel::most_contact_number(in.H_B2); }},
+                                     Bound<Input>{"s_at2", "the hardness H_B2, plus 10 %",
+                                                  [](const Input& in) { return bevel::most_bending_number(in.H_B2); }},
+                                     Bound<Input>{"I", "the chart for these teeth, plus 15 %", &bevel::most_I},
+                                     Bound<Input>{"J_1", "the chart for these teeth, plus 15 %", &bevel::most_J_1},
+                                     Bound<Input>{"J_2", "the chart for these teeth, plus 25 %", &bevel::most_J_2},
+                                     Bound<Input>{"n_1", "straight teeth of this accuracy", &bevel::most_speed}};
 
   static constexpr bool turns = true;
   static constexpr std::array senses{SenseClaim{"T_1, P", "idler", "none, gear_1, gear_2", "both"}};

@@ -45,7 +45,9 @@ inline constexpr auto bevel_results = [] {
       Field{&Result::x_R, "x_R", ratio, "face width / outer cone distance, at most 1/3"}
           .limit(0, (1.0 + 1e-9) / 3.0)
           .criterion(),
-      Field{&Result::x_m, "x_m", ratio, "face width / outer module, at most 10"}.limit(0, 10 * (1 + 1e-9)).criterion(),
+      Field{&Result::x_m, "x_m", ratio, "face width / outer module, from 2 to 10"}
+          .limit(2 * (1 - 1e-9), 10 * (1 + 1e-9))
+          .criterion(),
       Field{&Result::eps_v, "eps_v", ratio, "contact ratio of the virtual spur gears"}.limit(1, 100).criterion(),
       Field{&Result::x_free, "x_free", ratio, "undercut: minimum margin of profile shift to the undercut limit"}
           .limit(-0.02, 1000)

@@ -176,9 +176,9 @@ TEST_SUITE("gear bevel") {
     says("z_1 = 40\nz_2 = 20\nb = \"20 mm\"\n", "gear 1 is the pinion");
     says("z_1 = 20\nz_2 = 40\nb = \"60 mm\"\n", "less than half the outer cone distance R_e = ");
     says(teeth + "Sigma = \"150 deg\"\n", "a pitch cone angle would exceed 90 deg");
-    says(teeth + "h_fP = 1\n", "for tip clearance");
     says(teeth + "bore_1 = \"900 mm\"\n", "the bore of gear 1 must be less than its pitch diameter");
     says(teeth + "bore_2 = \"900 mm\"\n", "the bore of gear 2 must be less than its pitch diameter");
+    says(teeth + "h_fP = 1.09\n", "by at least 0.1, the tip clearance");
     says(teeth + "P = \"1 kW\"\n", "a power needs the speed n_1");
     says(teeth + "J_1 = 0.2\nH_B1 = 300\n", "the rating needs a load");
     says(teeth + "P = \"1 kW\"\nn_1 = \"900 rpm\"\nJ_1 = 0.2\nH_B1 = 300\n", "give either N or L_h");

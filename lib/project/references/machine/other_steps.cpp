@@ -242,6 +242,16 @@ bool has_service_factor(const Step& step) {
   return id.starts_with("belt.") || id.starts_with("chain.");
 }
 
+/// The record of a rated gear that a shaft takes, "bevel.gear_1"; empty if it takes none.
+std::string gear_taken_by(const Step& shaft, const Step& step) {
+  const std::string_view id = step.input().calculator->id;
+  if (id != "gear.bevel" && id != "gear.worm") return {};
+  for (const Taken& record : shaft.input().reading.records) {
+    if (split_step(record.source).first == step.name()) return record.source;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& project) {
@@ -256,7 +266,12 @@ std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& proj
       const double factor = applied_factor(*taker, project, key);
       const std::string taken = load_taken_by(*taker, step);
       const std::string load = taken.empty() ? load_shared_by(step, *taker) : taken;
-      if (load.empty() || !(factor > own * (1.0 + rounding))) continue;
+      if (!(factor > own * (1.0 + rounding))) continue;
+      if (const std::string gear = gear_taken_by(*taker, step); load.empty() && !gear.empty())
+        lower.push_back({key, say("'{1}' applies {2} = {3} to '{4}'; here {2} is lower: give it here, and {2} = 1 "
+                                  "there, or say why, because.{2} = \"...\"",
+                                  taker->name(), key, format_number(factor, 4), gear)});
+      if (load.empty()) continue;
       lower.push_back(
           {key, say("{1} takes '{2}' with {3} = {4}; here {3} is lower: give it, or say why, because.{3} = \"...\"",
                     taker->name(), load, key, format_number(factor, 4))});

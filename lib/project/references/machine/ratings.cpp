@@ -11,7 +11,9 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace loadpath::project {
 
@@ -24,6 +26,40 @@ Leaf place_of(const Step& step) {
   if (step.input().calculator == nullptr) return {};
   const Leaf place = find_leaf(step.input().reading.record, "place");
   return is_choice(place) && find_leaf(step.input().reading.record, "d_sh") ? place : Leaf{};
+}
+
+/// The place of the only two bearings of a shaft; none if they are not known.
+std::optional<std::pair<double, double>> bearings_of(const Step& shaft, const Project& project) {
+  std::vector<double> places;
+  for_each_leaf(shaft.input().reading.record, [&](const std::string& path, const Leaf&) {
+    if (path.starts_with("supports") && path.ends_with(".x")) places.push_back(own_value(shaft, project, path));
+  });
+  if (places.size() != 2 || std::isnan(places[0]) || std::isnan(places[1])) return std::nullopt;
+  return std::minmax(places[0], places[1]);
+}
+
+/// The mounting of bevel gears next to the shafts that take them: a gear beyond the bearings is overhung.
+std::vector<ReducedLoad> mounting_on_shafts(const Step& step, const Project& project) {
+  const Calculator* const calculator = step.input().calculator;
+  const Leaf mounting = calculator == nullptr ? Leaf{} : find_leaf(step.input().reading.record, "mounting");
+  if (!is_choice(mounting) || std::string_view(calculator->id) != "gear.bevel") return {};
+  std::set<std::string> overhung;
+  std::string shafts;
+  for (const auto& shaft : project.steps) {
+    for (const Taken& record : shaft->input().reading.records) {
+      const auto [pair, gear] = split_step(record.source);
+      if (pair != step.name() || !(gear == "gear_1" || gear == "gear_2")) continue;
+      const double x = own_value(*shaft, project, prefix_of(record.path) + "x");
+      const auto bearings = bearings_of(*shaft, project);
+      if (!bearings || !(x < bearings->first || x > bearings->second) || !overhung.insert(gear).second) continue;
+      shafts += (shafts.empty() ? "'" : ", '") + shaft->name() + "'";
+    }
+  }
+  const std::string word = word_of(mounting), right = overhung.size() == 2 ? "overhung" : "one_straddled";
+  if (overhung.empty() || word == "overhung" || word == right) return {};
+  return {{"mounting", say("mounting = {1}, and the gear is overhung on {2}: give mounting = \"{3}\", or "
+                           "because.mounting = \"...\"",
+                           word, shafts, right)}};
 }
 
 class RatingCheck {
@@ -52,16 +88,6 @@ class RatingCheck {
 
   void add(const char* path, Message message) { found_.push_back({path, std::move(message)}); }
 
-  /// The bearings of a shaft; none unless there are two with known places.
-  std::optional<std::pair<double, double>> bearings_of(const Step& shaft) const {
-    std::vector<double> places;
-    for_each_leaf(shaft.input().reading.record, [&](const std::string& path, const Leaf&) {
-      if (path.starts_with("supports") && path.ends_with(".x")) places.push_back(own_value(shaft, project_, path));
-    });
-    if (places.size() != 2 || std::isnan(places[0]) || std::isnan(places[1])) return std::nullopt;
-    return std::minmax(places[0], places[1]);
-  }
-
   /// The largest diameter of a shaft; NaN if one is not known yet.
   double thickest_of(const Step& shaft) const {
     double most = 0.0;
@@ -79,7 +105,7 @@ class RatingCheck {
       const auto [pair, gear] = split_step(record.source);
       if (gear != "gear_1" || !pairs_.contains(pair)) continue;
       const double x = own_value(shaft, project_, prefix_of(record.path) + "x");
-      const auto bearings = bearings_of(shaft);
+      const auto bearings = bearings_of(shaft, project_);
       if (!bearings || std::isnan(x)) continue;
       const double l = bearings->second - bearings->first;
       compare_place(shaft, place, l, std::abs(x - 0.5 * (bearings->first + bearings->second)));
@@ -161,7 +187,8 @@ class RatingCheck {
 }  // namespace
 
 std::vector<ReducedLoad> values_of_ratings(const Step& step, const Project& project) {
-  return RatingCheck(step, project).run();
+  const std::vector<ReducedLoad> mounting = mounting_on_shafts(step, project);
+  return mounting.empty() ? RatingCheck(step, project).run() : mounting;
 }
 
 }  // namespace loadpath::project

@@ -9,7 +9,7 @@
 namespace loadpath::project {
 
 /// Inputs of a rating that need a reason: a place of the pinion that is more favourable than on its shaft, and fewer
-/// load cycles than the planets cause.
+/// load cycles than the planets cause; bevel gears mounted between bearings that are overhung on their shafts.
 std::vector<ReducedLoad> values_of_ratings(const Step& step, const Project& project);
 
 }  // namespace loadpath::project

@@ -269,7 +269,8 @@ S_Fmin = 1.4
           .criterion(),
       Field{&Result::f_int, "f_int", ratio, "interference: minimum clearance between tips and fillets, in modules"}
           .limit(-0.01, 1e4)
-          .criterion(),
+          .criterion()
+          .where_it_applies(),
       Field{&Result::c_n, "c_n", mm, "tip clearance, the smaller one"}.limit(-1e-6, 1e4).criterion(),
       Field{&Result::j_bn, "j_bn", mm, "normal backlash (negative: jamming)"}.limit(-1e-6, 1e3).criterion()};
 
@@ -327,7 +328,7 @@ S_Fmin = 1.4
       Bound<Input>{"f_ma", "the helix slope tolerance of the grade", &least_deviation}.least(),
       Bound<Input>{"R_z1", "the smoothest ground flanks", &least_roughness}.least(),
       Bound<Input>{"R_z2", "the smoothest ground flanks", &least_roughness}.least(),
-      Bound<Input>{"nu_40", "the thickest oil of ISO 3448", [](const Input&) { return in_si(3200.0 * mm2_per_s); }},
+      Bound<Input>{"nu_40", "the curves of ISO 6336-2", [](const Input&) { return in_si(500.0 * mm2_per_s); }},
       Bound<Input>{"pattern", "an unfavourable contact pattern", [](const Input&) { return 0.0; }},
       Bound<Input>{"sigma_Hlim_1", "the best quality of this material in ISO 6336-5",
                    [](const Input& in) { return strength_bounds(in.material_1, in.quality_1, in.H_1).sigma_H; }},
@@ -349,7 +350,13 @@ S_Fmin = 1.4
       Mode<Input>{"dynamic", "dynamic tooth load", &always<Input>}.judged_by("x_v, x_c"),
       Mode<Input>{"undercut", "undercut", &always<Input>}.judged_by("x_free").of_shape(),
       Mode<Input>{"pointed", "tip thickness", &always<Input>}.judged_by("s_a").of_shape(),
-      Mode<Input>{"interference", "tip and fillet interference", &always<Input>}.judged_by("f_int").of_shape(),
+      Mode<Input>{"interference", "tip and fillet interference",
+                  [](const Input& in) { return where(!is_set(in.s_pr)); }}
+          .judged_by("f_int")
+          .of_shape(),
+      Mode<Input>{"protuberance", "tip and fillet interference, roots of a protuberance tool",
+                  [](const Input& in) { return where(is_set(in.s_pr)); }}
+          .of_shape(),
       Mode<Input>{"clearance", "tip clearance", &always<Input>}.judged_by("c_n").of_shape(),
       Mode<Input>{"backlash", "backlash", &always<Input>}.judged_by("j_bn").of_shape(),
       Mode<Input>{"overload", "tooth overload at peak torque", &unseen<Input>}.special(),

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -128,21 +129,30 @@ class StatedCheck {
                      stated.name, format_number(stated.si, 6), format_number(here, 6)));
   }
 
-  /// The required life of a step: L_h, or L_req where L_h is its result.
-  [[nodiscard]] const char* life_key() const {
+  /// The required life of the step and its input: L_h, or L_req where L_h is its result, or N load cycles at the speed
+  /// n_1.
+  [[nodiscard]] std::pair<const char*, double> own_life() const {
     const FieldInfo* const required = field("L_req");
-    return required != nullptr && required->dimension == duration ? "L_req" : "L_h";
+    if (required != nullptr && required->dimension == duration) return {"L_req", own("L_req")};
+    const double L_h = own("L_h"), cycles = own("N"), n_1 = std::abs(own("n_1"));
+    if (!std::isnan(L_h) || std::isnan(cycles) || !(n_1 > 0.0)) return {"L_h", L_h};
+    constexpr double turn = 2.0 * std::numbers::pi;
+    return {"N", turn * cycles / n_1};
   }
 
-  /// "life = 40000 h" next to L_h = 20000 h.
+  /// "life = 40000 h" next to L_h = 20000 h, or next to fewer load cycles.
   void compare_life(const Stated& stated) {
-    const char* const key = life_key();
-    if (stated.name == key) return;  // under its own name
-    const double here = own(key);
+    const auto [key, here] = own_life();
+    if (stated.name == std::string_view(key)) return;  // under its own name
     if (!(stated.si > (1.0 + in_few_digits) * here)) return;
-    add(key, say("values.{1} = {2} acts on no step, and {4} is {3}: refer to it, delete it, or justify it: "
-                 "because.{4} = \"...\"",
-                 stated.name, format_quantity(stated.si, "h", 5), format_quantity(here, "h", 5), key));
+    add(key, say("values.{1} = {2} acts on no step, and {3} is {4}: refer to it, delete it, or justify it: "
+                 "because.{3} = \"...\"",
+                 stated.name, format_quantity(stated.si, "h", 5), key, life_here(key, here)));
+  }
+
+  [[nodiscard]] std::string life_here(std::string_view key, double life) const {
+    const std::string hours = format_quantity(life, "h", 5);
+    return key == "N" ? format_number(own("N"), 5) + ", " + hours : hours;
   }
 
   /// "hours_per_day" and "years", of working days, next to a shorter required life.
@@ -153,12 +163,12 @@ class StatedCheck {
       if (name == "years" && value.signature.dimension.is_number()) years = value.si.front();
       if (value.signature.dimension == duration && has_word(name, {"day", "daily"})) hours = value.si.front();
     }
-    const char* const key = life_key();
-    const double life = years * days * hours, here = own(key);
+    const double life = years * days * hours;
+    const auto [key, here] = own_life();
     if (std::isnan(life) || !(life > (1.0 + in_few_digits) * here)) return;
-    add(key, say("the years and hours of [values] act on no step: {1} on 250 days a year, and {3} is {2}: refer to "
-                 "them, delete them, or justify it: because.{3} = \"...\"",
-                 format_quantity(life, "h", 5), format_quantity(here, "h", 5), key));
+    add(key, say("the years and hours of [values] act on no step: {1} on 250 days a year, and {2} is {3}: refer to "
+                 "them, delete them, or justify it: because.{2} = \"...\"",
+                 format_quantity(life, "h", 5), key, life_here(key, here)));
   }
 
   /// The value of an input: typed, of a row, or the usual one.
@@ -176,7 +186,8 @@ class StatedCheck {
     const bool is_allowance =
         stated.name == "c" && std::string_view(step_.input().calculator->id).starts_with("vessel.");
     const bool is_limit = stated.name == "n_max" && here > 0.0;  // a speed that the part must bear
-    return (stated.name == life_key() || is_allowance || is_limit) && stated.si > (1.0 + as_stated) * here;
+    return (stated.name == std::string_view(own_life().first) || is_allowance || is_limit) &&
+           stated.si > (1.0 + as_stated) * here;
   }
 
   /// A required life above, or a strength below that of the step under its own name.
@@ -200,28 +211,44 @@ class StatedCheck {
   /// The input that a reason for the temperature belongs to: the temperature itself, or the first strength.
   [[nodiscard]] std::string heated_input() const {
     for (const FieldInfo& one : step_.input().calculator->input->fields) {
-      if (one.dimension == heat && one.key == std::string_view("T")) return one.key;
+      const std::string_view name = one.key;
+      if (one.dimension == heat && (name == "T" || name == "T_G")) return one.key;
     }
     for (const char* const key : {"R_e", "R_m", "sigma_adm", "tau_adm", "sigma_D", "tau_D", "sigma_B"}) {
       if (field(key) != nullptr && !std::isnan(own(key))) return key;
     }
     if (std::string_view(step_.input().calculator->id) == "bearing.rolling") return "C";  // its steel is tempered
+    if (std::string_view(step_.input().calculator->id) == "belt.synchronous") return "F_a";
     return material_of(step_).empty() || field("R_e") == nullptr ? "" : "R_e";
   }
 
   /// A temperature of the part above the limit of strengths at room temperature.
   void compare_temperature(const Stated& stated) {
-    constexpr double most = 373.15;             // 100 degC: of steels but fine-grained ones in [FKM], from memory
+    constexpr double most_of_steel = 373.15;    // 100 degC: of steels but fine-grained ones in [FKM], from memory
     constexpr double most_of_bearing = 393.15;  // 120 degC: dimensions of rolling bearings, from memory
+    constexpr double most_of_bevel = 394.15;    // 121 degC: temperature factor of 1, [AGMA2003]
+    constexpr double most_of_belt = 358.15;     // 85 degC: belts of rubber or polyurethane, from memory
     const std::string_view name = stated.name;
+    const std::string key = heated_input();
+    const double most = key == "F_a"   ? most_of_belt
+                        : key == "C"   ? most_of_bearing
+                        : key == "T_G" ? most_of_bevel
+                                       : most_of_steel;
     const bool is_temperature = name.starts_with("t_") || name.starts_with("T_") || name.starts_with("theta_");
     const bool is_of_part = (is_temperature && has_word(name, {"service", "operating", "operation", "work", "working",
                                                                "design", "max", "wall", "metal", "part"})) ||
+                            (key == "T_G" && has_word(name, {"oil", "sump"})) ||
                             has_word(name, {"ambient", "temperature"}) || has_only_words(name, {"t", "theta"});
     if (!(stated.si > most) || !is_of_part || has_word(name, {"join", "joining", "temper", "tempering"})) return;
-    const std::string key = heated_input();
-    if (key == "C" && stated.si <= most_of_bearing) return;
-    if (key.empty() || (key == "T" && own(key) >= stated.si)) return;
+    if (key.empty() || ((key == "T" || key == "T_G") && own(key) >= stated.si)) return;
+    if (key == "T_G")
+      return add(key, say("values.{1} = {2} acts on no step: give T_G, the temperature of the gears, or "
+                          "because.T_G = \"...\"",
+                          stated.name, format_quantity(stated.si, "degC", 4)));
+    if (key == "F_a")
+      return add(key, say("values.{1} = {2} acts on no step, and usual belts apply up to {3}: because.F_a "
+                          "= \"...\"",
+                          stated.name, format_quantity(stated.si, "degC", 4), format_quantity(most, "degC", 4)));
     add(key,
         say("values.{1} = {2} acts on no step, and strengths at room temperature apply up to {3}: give the strength "
             "at this temperature or T, or because.{4} = \"...\"",

@@ -99,6 +99,15 @@ bool Cycloidal::has_teeth(const Input& in) {
   return flank.polar(flank.start()) < middle && flank.polar(pi) > middle && flank.distance(pointed_angle(in)) > 0.0;
 }
 
+Applies Cycloidal::leads(const Input& in) {
+  constexpr double led_by_wheel = 0.7;
+  if (is_lantern(in) || is_set(in.d_p) || !has_teeth(in)) return Applies::no;
+  NoTrace none;
+  const double eps = evaluate(in, none).eps;
+  if (eps >= 1.0) return Applies::no;
+  return eps >= led_by_wheel ? Applies::unseen : Applies::yes;
+}
+
 template <class Tracer>
 Cycloidal::Result Cycloidal::evaluate(const Input& in, Tracer& trace) {
   Result r;

@@ -93,6 +93,9 @@ d_p = "3 mm"
 
   static bool is_lantern(const Input& in) { return in.pinion == Pinion::pins; }
   static bool has_teeth(const Input& in);
+  /// Whether the leaves must lead: below a contact ratio of 0.7, of 6 leaves and fewer, their addendum does much of the
+  /// driving; from memory.
+  static Applies leads(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !is_lantern(in) || is_set(in.d_p); }, "d_p",
                   "a lantern pinion needs the diameter d_p of its pins"},
@@ -105,10 +108,8 @@ d_p = "3 mm"
       Mode<Input>{"contact", "contact ratio", [](const Input& in) { return where(is_lantern(in)); }}
           .judged_by("eps_pins")
           .of_shape(),
-      Mode<Input>{"lead", "engagement before the line of centres",
-                  [](const Input& in) { return is_lantern(in) ? Applies::no : Applies::unseen; }}
-          .special(),
-      Mode<Input>{"breakage", "breakage of teeth, leaves and pins", &unseen<Input>}.special(),
+      Mode<Input>{"lead", "engagement before the line of centres", &leads}.special(),
+      Mode<Input>{"breakage", "breakage of teeth, leaves and pins", &unseen<Input>},
       Mode<Input>{"wear", "wear of the flanks", &unseen<Input>}.special()};
 
   template <class Tracer>

@@ -51,6 +51,7 @@ class StatedCheck {
       const Stated stated{name, value.si.front()};
       if (dimension.is_number()) compare_peak(stated), compare_repetitions(stated);
       if (dimension == heat) compare_temperature(stated);
+      if (is_geometry_of_teeth()) compare_load(stated, dimension.without_angle());
       if (dimension == pressure && is_of_vacuum(name)) compare_vacuum(stated);
       if (dimension == duration && is_of_life(name)) compare_life(stated);
       compare_same_name(stated, dimension);
@@ -169,6 +170,21 @@ class StatedCheck {
     add(key, say("the years and hours of [values] act on no step: {1} on 250 days a year, and {2} is {3}: refer to "
                  "them, delete them, or justify it: because.{2} = \"...\"",
                  format_quantity(life, "h", 5), key, life_here(key, here)));
+  }
+
+  /// Teeth whose strength no calculator assesses, and which take no load.
+  [[nodiscard]] bool is_geometry_of_teeth() const {
+    return std::string_view(step_.input().calculator->id) == "gear.cycloidal";
+  }
+
+  /// A torque, a force or a power next to them.
+  void compare_load(const Stated& stated, const Dimension& dimension) {
+    const bool is_load = dimension == Dimension::of(2, 1, -2) || dimension == Dimension::of(1, 1, -2) ||
+                         dimension == Dimension::of(2, 1, -3);
+    if (!is_load || stated.si == 0.0) return;
+    add("m", say("values.{1} acts on no step, and the strength of these teeth is not assessed: assess it separately, "
+                 "because.m = \"...\", or delete the value",
+                 stated.name));
   }
 
   /// The value of an input: typed, of a row, or the usual one.

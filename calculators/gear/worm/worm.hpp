@@ -193,8 +193,8 @@ dT_adm = "60 K"
       Mode<Input>{"width", "face width of the wheel", &always<Input>}.judged_by("x_b").of_shape(),
       Mode<Input>{"core", "torsion of the worm", &loaded}.judged_by("tau_f1"),
       Mode<Input>{"rim_2", "rim thickness of the wheel", &unseen<Input>}.judged_by("m_R2").wanting("bore_2").special(),
-      Mode<Input>{"deflection", "deflection of the worm shaft", &unseen<Input>}.special().assessed_beside(
-          "shaft.design"),
+      Mode<Input>{"deflection", "deflection of the worm shaft", &unseen<Input>}.special().advising(
+          "give v_adm in the step of shaft.design that takes this worm"),
       Mode<Input>{"threads", "breakage of the worm threads", &unseen<Input>}.special(),
       Mode<Input>{"overload", "tooth overload at peak torque", &unseen<Input>}.special(),
       Mode<Input>{"scuffing", "scuffing", &unseen<Input>}.special()};

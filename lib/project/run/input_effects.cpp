@@ -1,5 +1,7 @@
 #include "lib/project/run/input_effects.hpp"
 
+#include "lib/calculator/meaning.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -259,6 +261,12 @@ bool is_spare(Evaluation& evaluation, const std::string& path, const Leaf& leaf)
   return spare;
 }
 
+/// Whether a choice says what other values mean, "ground" flanks: comparisons between steps use it.
+bool decides_meaning(const Evaluation& evaluation, const std::string& path) {
+  return std::ranges::any_of(evaluation.calculator().meanings,
+                             [&](const Meaning& meaning) { return meaning.choice == std::string_view(path); });
+}
+
 /// Whether an active check has no value, so that the inputs that affect it are unknown.
 bool lacks_checks(const Evaluation& evaluation, const Results& results) {
   return std::any_of(results.series.begin(), results.series.end(), [&](const ResultSeries& series) {
@@ -315,6 +323,7 @@ void warn_of_unused(Evaluation& evaluation, const Results& results, const Govern
   for (const auto& [path, leaf] : without_effect(evaluation, typed_inputs(evaluation), governing)) {
     const auto counts = [&evaluation, &input = leaf](Probe& probe) { return has_effect(evaluation, input, probe); };
     if (std::any_of(places.begin(), places.end(), counts) || !is_spare(evaluation, path, leaf)) continue;
+    if (decides_meaning(evaluation, path)) continue;
     if (has_effect_with_absent_loads(evaluation, leaf, governing.position)) continue;
     Issue issue = issue_at(step, path, say("'{1}' has no effect here: no result changes with it", path));
     issue.severity = Severity::warning;

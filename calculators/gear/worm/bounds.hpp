@@ -30,7 +30,7 @@ inline double most_friction(const Input& in) {
 
 inline double most_form_factor(const Input& in) {
   NoTrace none;
-  return form_factor(in.alpha_n, none);
+  return form_factor(in, none);
 }
 
 /// Standard worms have diameter quotients from 6 on; from memory.

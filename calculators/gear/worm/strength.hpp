@@ -75,8 +75,8 @@ void rate_wear(const Input& in, Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
-double form_factor(double alpha_n, Tracer& trace) {
-  STEP(alpha_d, alpha_n / deg, "pressure angle in degrees");
+double form_factor(const Input& in, Tracer& trace) {
+  STEP(alpha_d, in.alpha_n / deg, "pressure angle in degrees");
   return NAMED_STEP("y", alpha_d < 20.0 ? 0.1 + 0.025 * (alpha_d - 14.5) / 5.5 : 0.125 + 0.005 * (alpha_d - 20.0),
                     "0.100, 0.125, 0.150, 0.175 at 14.5, 20, 25, 30 deg, [AGMA6034]");
 }
@@ -87,7 +87,7 @@ void bend(const Input& in, Result& r, Tracer& trace) {
   if (is_set(in.y)) {
     STEP_TO(r, y, in.y, "as given");
   } else {
-    r.y = form_factor(in.alpha_n, trace);
+    r.y = form_factor(in, trace);
   }
   STEP(v_G, r.v_2 / (0.00508 * m_per_s), "pitch line velocity of the wheel in ft/min");
   STEP_TO(r, K_v, (1200.0 + v_G) / 1200.0, "[AGMA6034]");

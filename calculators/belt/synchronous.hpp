@@ -91,8 +91,8 @@ b = "50.8 mm"
           .positive()
           .near_that_of_source("shafts[#].n")
           .usually(10, 1e4),
-      Count{&Input::z_1, "z_1", 6, 200, "number of teeth, driving pulley"},
-      Count{&Input::z_2, "z_2", 6, 200, "number of teeth, driven pulley"},
+      Count{&Input::z_1, "z_1", 6, 200, "number of teeth, driving pulley"}.same_as_that_of_source("stages[#].z_1"),
+      Count{&Input::z_2, "z_2", 6, 200, "number of teeth, driven pulley"}.same_as_that_of_source("stages[#].z_2"),
       Field{&Input::p_b, "p_b", mm, "belt pitch"}.positive().usually(2, 40).from("synchronous_belt", "p_b"),
       Field{&Input::a, "a", mm, "required centre distance, adjusted to the number of belt teeth"}
           .positive()

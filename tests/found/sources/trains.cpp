@@ -67,6 +67,47 @@ TEST_SUITE("found trains") {
     CHECK(strength("0.5", "because.\"stages.worm.eta\" = \"measured with its seals\"\n") == "pass");
   }
 
+  TEST_CASE("the efficiency of a worm stage in front of another drive is that of its mesh") {
+    const auto strength = [](const std::string& eta) {
+      return mode_of(
+          solved_as_found(
+              "[x]\ncalculator = \"drive.train\"\nP = \"0.6 kW\"\nn_1 = \"1400 rpm\"\nstages = [{ name = "
+              "\"worm\", kind = \"worm\", z_1 = 2, z_2 = 40, eta = " +
+              eta +
+              " }, { name = \"chain\", kind = \"chain\", z_1 = 19, z_2 = 38, p = \"12.7 mm\", eta = 0.97 }]\n"
+              "\n[w]\ncalculator = \"gear.worm\"\nz_1 = 2\nz_2 = 40\nm_x = \"4 mm\"\nd_1 = \"40 mm\"\n"
+              "b_2 = \"30 mm\"\nT_1 = \"=x.shafts[1].T\"\nn_1 = \"=x.shafts[1].n\"\ncasting = "
+              "\"chill\"\nS_Wmin = 1\nsigma_adm = \"60 MPa\"\nA_h = \"0.25 m^2\"\ndT_adm = \"60 K\"\n\n"
+              "[sh]\ncalculator = \"shaft.torsion\"\nT = \"=x.shafts[2].T\"\nd = \"40 mm\"\ntau_adm = "
+              "\"40 MPa\"\n"),
+          "x", "strength");
+    };
+    CHECK(strength("0.87") == "open");
+    CHECK(strength("0.8") == "not-judged");
+  }
+
+  TEST_CASE("a belt or a worm gear has the ratio of the stage whose load it takes") {
+    const auto state = [](const std::string& stage, const std::string& step, std::string_view mode) {
+      return mode_of(solved_as_found("[x]\ncalculator = \"drive.train\"\nP = \"0.6 kW\"\nn_1 = \"1400 rpm\"\nstages = "
+                                     "[{ name = \"s\", " +
+                                     stage + " }]\n\n[s]\nP = \"=x.shafts[1].P\"\nn_1 = \"=x.shafts[1].n\"\n" + step),
+                     "s", mode);
+    };
+    const std::string worm =
+        "calculator = \"gear.worm\"\nz_1 = 2\nz_2 = 40\nm_x = \"4 mm\"\nd_1 = \"40 mm\"\nb_2 = \"30 mm\"\ncasting = "
+        "\"chill\"\nS_Wmin = 1\nsigma_adm = \"60 MPa\"\nA_h = \"0.25 m^2\"\ndT_adm = \"60 K\"\n";
+    CHECK(state("kind = \"worm\", i = 20, eta = 0.87", worm, "wear") == "pass");
+    CHECK(state("kind = \"worm\", i = 40, eta = 0.87", worm, "wear") == "not-judged");
+    CHECK(state("kind = \"worm\", i = 40, eta = 0.87", worm + "because.z_2 = \"two drives in turn\"\n", "wear") ==
+          "pass");
+    const std::string belt =
+        "calculator = \"belt.synchronous\"\nsynchronous_belt = \"H\"\nK_A = 1.5\nz_1 = 20\nz_2 = 40\na = "
+        "\"500 mm\"\nb = \"50.8 mm\"\n";
+    CHECK(state("kind = \"belt\", z_1 = 20, z_2 = 40, eta = 0.98", belt, "power") ==
+          state("kind = \"belt\", i = 2, eta = 0.98", belt, "power"));
+    CHECK(state("kind = \"belt\", d_1 = \"80 mm\", d_2 = \"240 mm\", eta = 0.98", belt, "power") == "not-judged");
+  }
+
   TEST_CASE("of two stages of one module, the one with the larger torque is rated too") {
     const auto strength = [](const std::string& m_n, const std::string& more) {
       return mode_of(

@@ -97,9 +97,20 @@ const Step* worm_of_stage(const Step& train, const std::string& path, std::size_
   return worm == project.steps.end() ? nullptr : worm->get();
 }
 
+/// Whether a step takes the load of a shaft behind this stage: too low an efficiency of the stage reduces it.
+bool is_taken_behind(const Step& train, std::size_t number, const Project& project) {
+  const Record& record = train.input().reading.record;
+  const FieldInfo* const stages = find_field(record.type->fields, "stages");
+  const std::size_t count = stages == nullptr ? 0 : stages->size(record.data.get());
+  bool found = is_referred_to(project, train, train.name() + ".T_out");
+  for (std::size_t k = number + 1; k <= count + 1; ++k)
+    found = found || is_referred_to(project, train, train.name() + ".shafts[" + std::to_string(k) + "]");
+  return found;
+}
+
 /// The efficiency of a stage next to that of the mesh of its worm gear: bearings and seals take a little of it.
 void compare_worms(const Step& train, const Project& project, std::vector<ReducedLoad>& found) {
-  constexpr double least = 0.85, most = 1.02;  // of the efficiency of the mesh
+  constexpr double least_alone = 0.85, least_in_front = 0.98, most = 1.02;  // of the efficiency of the mesh
   const Record& record = train.input().reading.record;
   const FieldInfo* const stages = find_field(record.type->fields, "stages");
   for (std::size_t i = 0; stages != nullptr && i < stages->size(record.data.get()); ++i) {
@@ -107,17 +118,18 @@ void compare_worms(const Step& train, const Project& project, std::vector<Reduce
     const Leaf kind = find_leaf(record, path + ".kind");
     const Step* const worm = kind && word_of(kind) == "worm" ? worm_of_stage(train, path, i + 1, project) : nullptr;
     if (worm == nullptr) continue;
+    const double least = is_taken_behind(train, i + 1, project) ? least_in_front : least_alone;
     const double typed = own_value(train, project, path + ".eta"), mesh = magnitude_at(project, worm->name() + ".eta");
     if (!(typed > most * mesh) && !(typed < least * mesh)) continue;
-    found.push_back({path + ".eta",
-                     say("the efficiency {1} of the stage is {2} that of the mesh, '{3}.eta' = {4}, {5}: correct it, "
-                         "or {6} = \"...\"",
-                         format_number(typed, 3), typed > mesh ? say("above") : say("far below"), worm->name(),
-                         format_number(mesh, 3),
-                         typed > mesh ? say("which has no losses of bearings")
-                                      : say("and the driven shafts have "
-                                            "too little torque"),
-                         because_key(path + ".eta"))});
+    found.push_back(
+        {path + ".eta",
+         say("the efficiency {1} of the stage is {2} that of the mesh, '{3}.eta' = {4}, {5}: correct it, "
+             "or {6} = \"...\"",
+             format_number(typed, 3), typed > mesh ? say("above") : say("below"), worm->name(), format_number(mesh, 3),
+             typed > mesh ? say("which has no losses of bearings")
+                          : say("and the driven shafts have "
+                                "too little torque"),
+             because_key(path + ".eta"))});
   }
 }
 

@@ -1,6 +1,7 @@
 #include "lib/project/references/machine/machine.hpp"
 
 #include "lib/project/references/agreement/agreement.hpp"
+#include "lib/project/references/drives/drives.hpp"
 #include "lib/project/references/machine/chained_drives.hpp"
 #include "lib/project/references/machine/idle_steps.hpp"
 #include "lib/project/references/machine/left_out.hpp"
@@ -19,8 +20,9 @@ namespace loadpath::project {
 
 std::vector<ReducedLoad> stated_and_not_taken(const Step& step, const Project& project) {
   std::vector<ReducedLoad> all;
-  for (const auto& found : {loads_left_out(step, project), loads_of_mechanism(step, project),
-                            repetitions_of_others(step, project), values_of_idle_steps(step, project)})
+  for (const auto& found :
+       {loads_left_out(step, project), loads_of_mechanism(step, project), repetitions_of_others(step, project),
+        values_of_idle_steps(step, project), values_of_drives(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

@@ -46,4 +46,38 @@ TEST_SUITE("found loads left out") {
     const std::string without = cycle.substr(cycle.find("[life]"));
     CHECK(mode_of(solved_as_found(cycle), "life", "fatigue") == mode_of(solved_as_found(without), "life", "fatigue"));
   }
+
+  TEST_CASE("a load of [values] next to a drive whose load is another quantity") {
+    const std::string belt =
+        "[b]\ncalculator = \"belt.synchronous\"\nsynchronous_belt = \"H\"\nK_A = 1.5\nz_1 = 20\nz_2 = 40\n"
+        "n_1 = \"1450 rpm\"\na = \"500 mm\"\nb = \"50.8 mm\"\n";
+    const auto state = [&](const std::string& values, const std::string& load) {
+      return mode_of(solved_as_found("[values]\n" + values + "\n\n" + belt + load + "\n"), "b", "power");
+    };
+    const std::string P = "P = \"4 kW\"", T_1 = "T_1 = \"26.34 N*m\"";  // 26.34 N m at 1450 rpm
+    const std::string alone = state("note = 1", P);
+    CHECK(alone != "not-judged");
+    for (const char* const fits : {"T_1 = \"26.3 N*m\"", "T_2 = \"52.7 N*m\"", "T_max = \"50 N*m\""})
+      CHECK(state(fits, P) == alone);
+    for (const char* const more : {"T_1 = \"60 N*m\"", "T_2 = \"80 N*m\"", "T = \"60 N*m\"", "T_peak = \"200 N*m\""})
+      CHECK(state(more, P) == "not-judged");
+    CHECK(state("T_1 = \"60 N*m\"", P + "\nbecause.P = \"a second belt takes the rest\"") == alone);
+    CHECK(state("P = \"4 kW\"", T_1) == alone);
+    CHECK(state("P = \"8 kW\"", T_1) == "not-judged");
+  }
+
+  TEST_CASE("an application factor that is divided out of a rated load of [values] and applied again") {
+    const auto state = [](const std::string& P, const std::string& K_A) {
+      return mode_of(solved_as_found("[values]\nP = \"4 kW\"\nP_design = \"6 kW\"\nK_A = 1.5\n\n[b]\ncalculator = "
+                                     "\"belt.synchronous\"\nsynchronous_belt = \"H\"\nz_1 = 20\nz_2 = 40\nn_1 = "
+                                     "\"1450 rpm\"\na = \"500 mm\"\nb = \"50.8 mm\"\nP = \"" +
+                                     P + "\"\nK_A = " + K_A + "\n"),
+                     "b", "power");
+    };
+    CHECK(state("=values.P", "\"=values.K_A\"") != "not-judged");
+    CHECK(state("=values.P_design/values.K_A", "\"=values.K_A\"") != "not-judged");
+    CHECK(state("=values.P/values.K_A", "\"=values.K_A\"") == "not-judged");
+    CHECK(state("=values.P/values.K_A", "1") == "not-judged");
+    CHECK(state("=values.P/1.5", "1.5") == "not-judged");
+  }
 }

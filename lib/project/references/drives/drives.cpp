@@ -1,12 +1,17 @@
 #include "lib/project/references/drives/drives.hpp"
 
 #include "lib/project/references/drives/stages.hpp"
+#include "lib/project/references/drives/stated_loads.hpp"
 
 namespace loadpath::project {
 
 std::vector<ReducedLoad> values_of_drives(const Step& step, const Project& project) {
   if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return {};
-  return ratios_of_stages(step, project);
+  std::vector<ReducedLoad> all;
+  for (const auto& found :
+       {ratios_of_stages(step, project), loads_stated_otherwise(step, project), factors_cancelled(step, project)})
+    all.insert(all.end(), found.begin(), found.end());
+  return all;
 }
 
 }  // namespace loadpath::project

@@ -1,0 +1,153 @@
+#include "lib/project/references/drives/stated_loads.hpp"
+
+#include "lib/project/references/agreement/stated_names.hpp"
+#include "lib/project/references/origins.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/quantity/kinds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double rounded = 0.02;            // values that are computed elsewhere with few digits
+constexpr double implausible_ratio = 50.0;  // beyond, it is the load of another machine
+constexpr double typed_digits = 1e-3;
+
+const Dimension power = Dimension::of(2, 1, -3);
+const Dimension torque = Dimension::of(2, 1, -2);
+const Dimension force = Dimension::of(1, 1, -2);
+
+/// An input, or the result of this name.
+double known(const Step& step, const Project& project, const std::string& key) {
+  const double own = std::abs(own_value(step, project, key));
+  return std::isnan(own) ? std::abs(magnitude_at(project, step.name() + "." + key)) : own;
+}
+
+bool has_input(const Step& step, const char* key) {
+  return find_field(step.input().calculator->input->fields, key) != nullptr;
+}
+
+/// Drives have a speed at both sides, and their load as a power or a torque.
+bool is_drive(const Step& step) {
+  return step.input().calculator != nullptr && step.input().reading.record.data != nullptr && has_input(step, "n_1") &&
+         (has_input(step, "P") || has_input(step, "T_1"));
+}
+
+/// The input that holds the load: "T_1"; empty if none is given.
+std::string load_of(const Step& step, const Project& project) {
+  for (const char* const key : {"P", "T_1", "T_2"}) {
+    if (has_input(step, key) && !std::isnan(own_value(step, project, key))) return key;
+  }
+  return {};
+}
+
+double torque_of(const Step& step, const Project& project, const std::string& side) {
+  const double T = known(step, project, "T_" + side), P = std::abs(own_value(step, project, "P"));
+  return std::isnan(T) ? P / known(step, project, "n_" + side) : T;
+}
+
+/// The largest power that the torques at both sides correspond to, or the given one.
+double power_of(const Step& step, const Project& project) {
+  double most = std::abs(own_value(step, project, "P"));
+  for (const char* const side : {"1", "2"})
+    most = std::fmax(most,
+                     known(step, project, std::string("T_") + side) * known(step, project, std::string("n_") + side));
+  return most;
+}
+
+/// The load of the step that a name of [values] means; NaN if it means none.
+double meant_load(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
+  const bool is_peak = is_of_peak(name);
+  if (dimension == power && (name == "P" || name == "P_1" || (is_peak && name.starts_with("P_"))))
+    return power_of(step, project);
+  if (dimension == torque && (name == "T_1" || name == "T_2")) return torque_of(step, project, name.substr(2));
+  if (dimension == torque && (name == "T" || (is_peak && name.starts_with("T_"))))
+    return std::fmax(torque_of(step, project, "1"), torque_of(step, project, "2"));
+  if (dimension == force && name == "F_t") return std::abs(magnitude_at(project, step.name() + ".F_t"));
+  return std::nan("");
+}
+
+/// Whether left_out.hpp compares it: with an input under this name, or torques with the torque of a peak.
+bool is_under_own_name(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
+  if (!std::isnan(own_value(step, project, name))) return true;
+  const std::string load = load_of(step, project);
+  return is_of_peak(name) && (dimension == power) == (load == "P");
+}
+
+}  // namespace
+
+std::vector<ReducedLoad> loads_stated_otherwise(const Step& step, const Project& project) {
+  std::vector<ReducedLoad> found;
+  if (!is_drive(step)) return found;
+  const std::string load = load_of(step, project);
+  if (load.empty()) return found;
+  for (const auto& [name, value] : project.values.unused()) {
+    const Dimension dimension = value.signature.dimension;
+    if (project.values.kind(name) == Meant::work || is_under_own_name(step, project, name, dimension)) continue;
+    const double si = std::abs(value.si.front()), own = meant_load(step, project, name, dimension);
+    if (!(si > (1.0 + rounded) * own) || si > implausible_ratio * own) continue;
+    bool is_carried = false;  // by another drive of the file
+    for (const auto& other : project.steps) {
+      if (other.get() == &step || !is_drive(*other)) continue;
+      is_carried = is_carried || meant_load(*other, project, name, dimension) >= (1.0 - rounded) * si;
+    }
+    if (is_carried) continue;
+    const char* const unit = dimension == power ? "kW" : dimension == torque ? "N*m" : "N";
+    found.push_back({load, say("values.{1} = {2} acts on no step, and {3} corresponds to {4} here: refer to it, delete "
+                               "it, or justify it: because.{3} = \"...\"",
+                               name, format_quantity(si, unit, 4), load, format_quantity(own, unit, 4))});
+  }
+  return found;
+}
+
+namespace {
+
+/// A load that is computed from values of the file only, as a number; NaN if it refers to a step.
+double from_values(const Operand& operand, const Project& project) {
+  for (const auto& reference : operand.expression.references()) {
+    if (!reference.path.starts_with("values.") || project.value(reference.path) == nullptr) return std::nan("");
+  }
+  const Value taken =
+      operand.expression.evaluate([&](const std::string& path) -> const Value& { return *project.value(path); });
+  return taken.si.size() == 1 ? std::abs(taken.si.front()) : std::nan("");
+}
+
+/// A rated load by its name: a design or peak load may include the factor.
+bool is_rated(const std::string& path) {
+  const std::string name = path.substr(path.find('.') + 1);
+  return !is_of_peak(name) && !has_word(name, {"d", "des", "design", "eff", "eq", "k", "ka", "b", "dyn"});
+}
+
+}  // namespace
+
+std::vector<ReducedLoad> factors_cancelled(const Step& step, const Project& project) {
+  std::vector<ReducedLoad> found;
+  if (step.input().calculator == nullptr || !has_input(step, "K_A")) return found;
+  const double K_A = own_value(step, project, "K_A");
+  for (const Operand& operand : step.input().reading.operands) {
+    if (!operand.leaf.field->is_load || operand.expression.is_reference()) continue;
+    const double taken = from_values(operand, project);
+    for (const auto& reference : operand.expression.references()) {
+      const double stated = std::abs(magnitude_at(project, reference.path));
+      if (std::isnan(taken) || project.value(reference.path)->signature.dimension != operand.leaf.field->dimension)
+        continue;
+      const double divisor = stated / taken, of_file = std::abs(magnitude_at(project, "values.K_A"));
+      const auto is = [&](double factor) {
+        return factor > 1.0 && std::abs(divisor - factor) <= typed_digits * factor;
+      };
+      if (!is_rated(reference.path) || !(is(K_A) || is(of_file))) continue;
+      found.push_back(
+          {operand.path, say("{1} is '{2}' divided by the application factor, which then has no effect: write {1} = "
+                             "\"={2}\", or because.{1} = \"...\"",
+                             operand.path, reference.path)});
+    }
+  }
+  return found;
+}
+
+}  // namespace loadpath::project

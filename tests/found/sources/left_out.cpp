@@ -38,6 +38,27 @@ TEST_SUITE("found loads left out") {
     CHECK(state(shaft_beside("teeth = 17")) == "pass");
   }
 
+  TEST_CASE("the application factor of [values] under the symbol of another standard") {
+    const auto state = [](const std::string& text) { return mode_of(solved_as_found(text), "shaft", "yield"); };
+    CHECK(state(shaft_beside("K_o = 1.4")) == "not-judged");
+    CHECK(state(shaft_beside("K_o = 1.4", "K_A = 1.5\n")) == "pass");
+    CHECK(state(shaft_beside("K_o = 1.4", "because.K_A = \"T holds it\"\n")) == "pass");
+    CHECK(state(shaft_beside("K_oil = 1.4")) == "pass");
+  }
+
+  TEST_CASE("a higher safety factor of [values] than that of a chain") {
+    const std::string chain =
+        "[chain]\ncalculator = \"chain.inverted_tooth\"\np = \"12.7 mm\"\nb = \"50 mm\"\nz_1 = 25\nz_2 = 75\nn_1 = "
+        "\"1000 rpm\"\nP = \"15 kW\"\nK_A = 1.4\na = \"500 mm\"\nP_b = \"5 kW\"\nq = \"2.5 kg/m\"\nF_u = \"54 "
+        "kN\"\nS_min = 8\nv_max = \"25 m/s\"\n";
+    const auto state = [&](const std::string& values, const std::string& more = "") {
+      return mode_of(solved_as_found("[values]\n" + values + "\n\n" + chain + more), "chain", "breaking");
+    };
+    CHECK(state("S_min = 8") == "pass");
+    CHECK(state("S_min = 15") == "not-judged");
+    CHECK(state("S_min = 15", "because.S_min = \"of the hoist only\"\n") == "pass");
+  }
+
   TEST_CASE("a strength of [values] is no load of a stress") {
     const std::string cycle =
         "[values]\nR_m_of_the_bolts = \"800 MPa\"\n\n[life]\ncalculator = \"fatigue.cycle\"\n"

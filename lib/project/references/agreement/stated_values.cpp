@@ -195,14 +195,17 @@ class StatedCheck {
     return std::isnan(here) ? magnitude_at(project_, step_.name() + "." + key) : here;
   }
 
-  /// Whether a larger value asks for more than the step has: a life, a reliability, an allowance for corrosion, a
-  /// speed.
+  /// Whether a larger value asks for more than the step has: a life, a reliability, a safety factor, an
+  /// allowance for corrosion, a speed.
   [[nodiscard]] bool asks_for_more(const Stated& stated, double here) const {
     if (stated.name == "R") return here >= 0.5 && stated.si < 1.0 && stated.si > here;
     const bool is_allowance =
         stated.name == "c" && std::string_view(step_.input().calculator->id).starts_with("vessel.");
+    const FieldInfo* const same = field(stated.name);
+    const bool is_safety =
+        stated.name.starts_with("S_") && same->dimension.is_number() && !same->is_factor && here > 0.0;
     const bool is_limit = stated.name == "n_max" && here > 0.0;  // a speed that the part must bear
-    return (stated.name == std::string_view(own_life().first) || is_allowance || is_limit) &&
+    return (stated.name == std::string_view(own_life().first) || is_allowance || is_limit || is_safety) &&
            stated.si > (1.0 + as_stated) * here;
   }
 

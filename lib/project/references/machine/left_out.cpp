@@ -5,8 +5,11 @@
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/kinds.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 namespace loadpath::project {
 
@@ -52,18 +55,28 @@ LargestLoad largest_load(const Step& step, const Project& project, const std::st
   return largest;
 }
 
+/// The application factor under the symbols of other standards: K_o of AGMA, c_B of belts.
+bool is_application_factor(std::string_view name) {
+  constexpr std::array<std::string_view, 8> names{
+      "K_o", "K_O", "k_A", "c_B", "f_B", "service_factor", "application_factor", "overload_factor"};
+  return std::ranges::find(names, name) != names.end();
+}
+
 /// A factor of the step under the name of the value, with another number: "K_A".
 void compare_factor(const Step& step, const Project& project, const std::string& name, double si,
                     std::vector<ReducedLoad>& found) {
   constexpr double same = 1e-6;
-  const FieldInfo* const field = find_field(step.input().calculator->input->fields, name);
+  const auto& inputs = step.input().calculator->input->fields;
+  const bool is_other_symbol = is_application_factor(name) && find_field(inputs, name) == nullptr;
+  const std::string key = is_other_symbol ? "K_A" : name;
+  const FieldInfo* const field = find_field(inputs, key);
   if (field == nullptr || !field->is_factor || !field->dimension.is_number()) return;
-  const double own = own_value(step, project, name);
+  const double own = own_value(step, project, key);
   if (std::abs(own) >= si * (1.0 - same)) return;
   found.push_back(
-      {name, say("values.{1} = {2} acts on no step, and {1} is {3} here: refer to it, delete it, or justify it: "
-                 "because.{1} = \"...\"",
-                 name, format_number(si, 6), std::isnan(own) ? "not given" : format_number(own, 6))});
+      {key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or justify it: "
+                "because.{3} = \"...\"",
+                name, format_number(si, 6), key, std::isnan(own) ? "not given" : format_number(own, 6))});
 }
 
 }  // namespace

@@ -125,4 +125,22 @@ TEST_SUITE("found trains") {
     CHECK(strength("3 mm", "") == "not-judged");
     CHECK(strength("5 mm", "") == "open");
   }
+
+  TEST_CASE("a train takes torque and speed of the same shaft of a worm gear") {
+    const auto strength = [](const std::string& T_1, const std::string& more = "") {
+      return mode_of(
+          solved_as_found("[w]\ncalculator = \"gear.worm\"\nz_1 = 2\nz_2 = 40\nm_x = \"4 mm\"\nd_1 = \"40 mm\"\nb_2 = "
+                          "\"30 mm\"\nP = \"0.6 kW\"\nn_1 = \"1400 rpm\"\ncasting = \"chill\"\nS_Wmin = 1\nsigma_adm "
+                          "= \"60 MPa\"\nA_h = \"0.25 m^2\"\ndT_adm = \"60 K\"\n\n[x]\ncalculator = \"drive.train\"\n"
+                          "T_1 = \"" +
+                          T_1 +
+                          "\"\nn_1 = \"=w.n_1\"\nstages = [{ name = \"c\", kind = \"chain\", z_1 = 20, z_2 = 50, p = "
+                          "\"12.7 mm\", eta = 0.95 }]\n" +
+                          more),
+          "x", "strength");
+    };
+    CHECK(strength("=w.T_1") == "open");
+    CHECK(strength("=w.T_2") == "not-judged");
+    CHECK(strength("=w.T_2", "because.T_1 = \"at a stop\"\n") == "open");
+  }
 }

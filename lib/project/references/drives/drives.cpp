@@ -1,5 +1,6 @@
 #include "lib/project/references/drives/drives.hpp"
 
+#include "lib/project/references/drives/one_drive.hpp"
 #include "lib/project/references/drives/stages.hpp"
 #include "lib/project/references/drives/stated_loads.hpp"
 
@@ -9,7 +10,8 @@ std::vector<ReducedLoad> values_of_drives(const Step& step, const Project& proje
   if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return {};
   std::vector<ReducedLoad> all;
   for (const auto& found :
-       {ratios_of_stages(step, project), loads_stated_otherwise(step, project), factors_cancelled(step, project)})
+       {ratios_of_stages(step, project), loads_stated_otherwise(step, project), factors_cancelled(step, project),
+        torques_at_other_speeds(step, project), hands_in_disagreement(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

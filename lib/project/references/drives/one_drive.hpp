@@ -1,0 +1,16 @@
+// Torque, speed and hand of one drive that two steps state: they belong to the same shaft, and to the same gears.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// A torque of one shaft of a drive with the speed of another: "T_1 = =worm.T_2" with "n_1 = =worm.n_1".
+std::vector<ReducedLoad> torques_at_other_speeds(const Step& step, const Project& project);
+
+/// The hand of a gear whose mate on another shaft is taken from a step with the opposite hand and the same data.
+std::vector<ReducedLoad> hands_in_disagreement(const Step& step, const Project& project);
+
+}  // namespace loadpath::project

@@ -248,13 +248,23 @@ class ReductionCheck {
     const std::string own = reduction_of(*step_.input().calculator, operand.path);
     const FieldInfo& field = *operand.leaf.field;
     const bool is_demand = field.is_load || field.dimension == inertia;
-    const bool is_whole = own.empty() || own == "max";  // of a cycle: its middle or amplitude may be a part of it
-    if (!is_demand || !is_whole || operand.expression.is_reference()) return false;
+    if (!is_demand || operand.expression.is_reference()) return false;
     const auto pair = pair_of(operand);
+    const bool is_whole = own.empty() || own == "max" || (own == "mean" && pair && is_mean_power(*pair));
+    if (!is_whole) return false;  // of a cycle: its middle or amplitude may be a part of it
     if (pair && operand.path == "T" && is_one_of_outputs(step_, project_, shaft_of_torque(pair->path))) return false;
     if (!pair) return false;
     const double taken = std::abs(largest(pair->taken).value) * factor_applied_again(pair->path);
     return taken < least_efficiency * std::abs(largest(pair->source).value);
+  }
+
+  /// The power of another drive that is no series: it is a mean over the cycle too.
+  [[nodiscard]] bool is_mean_power(const Pair& pair) const {
+    const auto [name, rest] = split_step(pair.path);
+    const Step* const source = project_.find(name);
+    if (source == nullptr || source->input().calculator == nullptr || pair.source.is_series()) return false;
+    const std::string own = reduction_of(*source->input().calculator, rest);
+    return pair.source.signature.dimension == Dimension::of(2, 1, -3) && (own.empty() || own == "mean");
   }
 
   /// The application factor that a load holds, and that this step applies, as far as both agree: "=belts.shaft_2.T /

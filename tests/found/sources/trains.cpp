@@ -143,4 +143,21 @@ TEST_SUITE("found trains") {
     CHECK(strength("=w.T_2") == "not-judged");
     CHECK(strength("=w.T_2", "because.T_1 = \"at a stop\"\n") == "open");
   }
+
+  TEST_CASE("a belt behind bevel gears takes their power, or says why not") {
+    const auto power = [](const std::string& P, const std::string& more = "") {
+      return mode_of(
+          solved_as_found(
+              "[g]\ncalculator = \"gear.bevel\"\nz_1 = 20\nz_2 = 40\nm_et = \"4 mm\"\nb = \"28 mm\"\nx_1 = "
+              "0.3\nh_fP = 1.188\nP = \"5 kW\"\nn_1 = \"900 rpm\"\n\n[b]\ncalculator = "
+              "\"belt.synchronous\"\nsynchronous_belt = \"H\"\nP = \"" +
+              P + "\"\nK_A = 1.5\nn_1 = \"450 rpm\"\nz_1 = 24\nz_2 = 24\na = \"500 mm\"\nb = \"76.2 mm\"\n" + more),
+          "b", "power");
+    };
+    const std::string all = power("=g.P");
+    CHECK(all != "not-judged");
+    CHECK(power("=0.97*g.P") == all);
+    CHECK(power("=g.P/2") == "not-judged");
+    CHECK(power("=g.P/2", "because.P = \"two belts of one width\"\n") != "not-judged");
+  }
 }

@@ -14,7 +14,7 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double same_speed = 0.02;
+constexpr double same_shaft = 0.02;
 constexpr double same_data = 1e-6;
 
 /// The source of an input that is a reference and nothing else; empty for any other.
@@ -64,7 +64,7 @@ std::vector<ReducedLoad> torques_at_other_speeds(const Step& step, const Project
     if (beside.empty() || speed.empty() || speed == beside) continue;
     if (split_step(torque).first != split_step(speed).first) continue;
     const double n = std::abs(magnitude_at(project, beside)), own = std::abs(magnitude_at(project, speed));
-    if (std::isnan(n) || std::isnan(own) || std::abs(n - own) <= same_speed * n) continue;
+    if (std::isnan(n) || std::isnan(own) || std::abs(n - own) <= same_shaft * n) continue;
     return {{side[0], say("'{1}' acts at '{2}' = {3}, and {4} is '{5}' = {6}: take both of one shaft, or "
                           "because.{7} = \"...\"",
                           torque, beside, format_quantity(n, "rpm", 4), side[1], speed, format_quantity(own, "rpm", 4),

@@ -18,9 +18,9 @@ constexpr double rounded = 0.02;            // values that are computed elsewher
 constexpr double implausible_ratio = 50.0;  // beyond, it is the load of another machine
 constexpr double typed_digits = 1e-3;
 
-const Dimension power = Dimension::of(2, 1, -3);
-const Dimension torque = Dimension::of(2, 1, -2);
-const Dimension force = Dimension::of(1, 1, -2);
+const Dimension of_power = Dimension::of(2, 1, -3);
+const Dimension of_torque = Dimension::of(2, 1, -2);
+const Dimension of_force = Dimension::of(1, 1, -2);
 
 /// An input, or the result of this name.
 double known(const Step& step, const Project& project, const std::string& key) {
@@ -63,12 +63,12 @@ double power_of(const Step& step, const Project& project) {
 /// The load of the step that a name of [values] means; NaN if it means none.
 double meant_load(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
   const bool is_peak = is_of_peak(name);
-  if (dimension == power && (name == "P" || name == "P_1" || (is_peak && name.starts_with("P_"))))
+  if (dimension == of_power && (name == "P" || name == "P_1" || (is_peak && name.starts_with("P_"))))
     return power_of(step, project);
-  if (dimension == torque && (name == "T_1" || name == "T_2")) return torque_of(step, project, name.substr(2));
-  if (dimension == torque && (name == "T" || (is_peak && name.starts_with("T_"))))
+  if (dimension == of_torque && (name == "T_1" || name == "T_2")) return torque_of(step, project, name.substr(2));
+  if (dimension == of_torque && (name == "T" || (is_peak && name.starts_with("T_"))))
     return std::fmax(torque_of(step, project, "1"), torque_of(step, project, "2"));
-  if (dimension == force && name == "F_t") return std::abs(magnitude_at(project, step.name() + ".F_t"));
+  if (dimension == of_force && name == "F_t") return std::abs(magnitude_at(project, step.name() + ".F_t"));
   return std::nan("");
 }
 
@@ -76,7 +76,7 @@ double meant_load(const Step& step, const Project& project, const std::string& n
 bool is_under_own_name(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
   if (!std::isnan(own_value(step, project, name))) return true;
   const std::string load = load_of(step, project);
-  return is_of_peak(name) && (dimension == power) == (load == "P");
+  return is_of_peak(name) && (dimension == of_power) == (load == "P");
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ std::vector<ReducedLoad> loads_stated_otherwise(const Step& step, const Project&
       is_carried = is_carried || meant_load(*other, project, name, dimension) >= (1.0 - rounded) * si;
     }
     if (is_carried) continue;
-    const char* const unit = dimension == power ? "kW" : dimension == torque ? "N*m" : "N";
+    const char* const unit = dimension == of_power ? "kW" : dimension == of_torque ? "N*m" : "N";
     found.push_back({load, say("values.{1} = {2} acts on no step, and {3} corresponds to {4} here: refer to it, delete "
                                "it, or justify it: because.{3} = \"...\"",
                                name, format_quantity(si, unit, 4), load, format_quantity(own, unit, 4))});

@@ -80,6 +80,7 @@ constexpr std::array without_load{
     Reason{"belt.flat twist", by_sizes},
     Reason{"belt.grooved bending", by_sizes},
     Reason{"belt.grooved grip", by_tension},
+    Reason{"belt.grooved speed", by_speed},
     Reason{"belt.synchronous pulley", by_sizes},
     Reason{"belt.synchronous speed", by_speed},
     Reason{"belt.v bending", by_speed},

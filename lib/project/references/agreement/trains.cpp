@@ -121,15 +121,12 @@ void compare_worms(const Step& train, const Project& project, std::vector<Reduce
     const double least = is_taken_behind(train, i + 1, project) ? least_in_front : least_alone;
     const double typed = own_value(train, project, path + ".eta"), mesh = magnitude_at(project, worm->name() + ".eta");
     if (!(typed > most * mesh) && !(typed < least * mesh)) continue;
-    found.push_back(
-        {path + ".eta",
-         say("the efficiency {1} of the stage is {2} that of the mesh, '{3}.eta' = {4}, {5}: correct it, "
-             "or {6} = \"...\"",
-             format_number(typed, 3), typed > mesh ? say("above") : say("below"), worm->name(), format_number(mesh, 3),
-             typed > mesh ? say("which has no losses of bearings")
-                          : say("and the driven shafts have "
-                                "too little torque"),
-             because_key(path + ".eta"))});
+    found.push_back({"stages", say("the efficiency {1} of {2} is {3} that of the mesh, '{4}.eta' = {5}, {6}: correct "
+                                   "it, or because.stages = \"...\"",
+                                   format_number(typed, 3), path, typed > mesh ? say("above") : say("below"),
+                                   worm->name(), format_number(mesh, 3),
+                                   typed > mesh ? say("without losses of bearings")
+                                                : say("and the driven shafts have too little torque"))});
   }
 }
 

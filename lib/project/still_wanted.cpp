@@ -23,6 +23,7 @@ std::string still_wanted(const Step& step, const char* wants) {
 
 std::string wanted_by_limits(const Step& step, const ModeInfo& mode) {
   std::string wants;
+  if (step.input().calculator->result == nullptr) return wants;  // a mechanism declares its results itself
   if (*mode.advice != '\0' || *mode.request != '\0' || *mode.judge != '\0') return wants;
   for (const std::string& key : listed_keys(mode.checks)) {
     const FieldInfo* const limit = find_field(step.input().calculator->result->fields, key);

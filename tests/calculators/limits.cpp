@@ -454,7 +454,7 @@ const Side pulleys[] = {
 const char* const large = "d_1 = \"140 mm\"\nd_2 = \"4000 mm\"";
 
 const char* const rib_of_3_56_mm =
-    "d_b = \nrho = \nsigma_adm = \nE_b = \nphi = \nribbed_belt = \"PK\"\nP_R = \"0.1 kW\"";
+    "d_b = \nrho = \nsigma_adm = \nE_b = \nphi = \nd_min = \nribbed_belt = \"PK\"\nP_R = \"0.1 kW\"";
 const Side v_belts[] = {
     {"belt.grooved", "S_N", over, "n_1", R"("11600 rpm")", R"("11700 rpm")", "z = 1"},
     {"belt.grooved", "u_S", over, "S_0", R"("17.7 N")", R"("17.5 N")"},

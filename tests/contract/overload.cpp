@@ -46,7 +46,6 @@ constexpr std::array unbroken{
     Reason{"fatigue.wohler", "it gives the life at a stress that fatigue.cycle judges"},
     Reason{"fatigue.staircase", "it gives the strength that fatigue.life takes"},
     Reason{"fatigue.survival", "it gives the strength that fatigue.life takes"},
-    Reason{"gear.cycloidal", "it gives sizes; the strength of the teeth is not covered"},
     Reason{"motion.point", laws},
     Reason{"motion.along_path", laws},
     Reason{"motion.rotation", laws},

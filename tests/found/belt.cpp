@@ -128,7 +128,7 @@ TEST_SUITE("found belt") {
   }
 
   TEST_CASE("a rating above what a rib or round belt can pull needs a reason") {
-    const std::string ribs = "d_b = \nrho = \nsigma_adm = \nE_b = \nphi = \nribbed_belt = \"PK\"\n";
+    const std::string ribs = "d_b = \nrho = \nsigma_adm = \nE_b = \nphi = \nd_min = \nribbed_belt = \"PK\"\n";
     CHECK(mode_with("belt.grooved", ribs + "P_R = \"4 kW\"", "rating") == "not-judged");
     CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"", "rating") == "pass");
     CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"\nphi = \"20 deg\"", "grip") == "not-judged");

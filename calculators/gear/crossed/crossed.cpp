@@ -70,7 +70,7 @@ void load(const Input& in, Result& r, Tracer& trace) {
   const double w = trace.value("w", in.turns == Turns::ccw ? 1.0 : -1.0, "1 where gear 1 turns counter-clockwise");
   STEP_TO(r, F_y1, -w * in.K_A * F_t1, "against the rotation of gear 1");
   STEP_TO(r, F_z1, w * in.K_A * F_a1, "a right-hand screw that turns counter-clockwise is pushed towards +z");
-  STEP_TO(r, F_y2, -w * in.K_A * F_t2, "gear 2 turns the other way in its frame");
+  STEP_TO(r, F_y2, -w * in.K_A * F_t2, "gear 2 turns in the opposite direction in its frame");
   STEP_TO(r, F_z2, w * in.K_A * F_a2, "equal and opposite to the force on gear 1 in space");
   hand_over(in, w, r);
 }

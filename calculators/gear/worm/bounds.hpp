@@ -28,9 +28,10 @@ inline double most_friction(const Input& in) {
   return in.locking == WormTypes::Locking::required ? 1.25 * friction_by_speed(in) : unset<double>;
 }
 
+/// Half a printed digit more, for tables have it by steps of the pressure angle.
 inline double most_form_factor(const Input& in) {
   NoTrace none;
-  return form_factor(in, none);
+  return 1.03 * form_factor(in, none);
 }
 
 /// Standard worms have diameter quotients from 6 on; from memory.

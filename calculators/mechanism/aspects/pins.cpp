@@ -93,7 +93,7 @@ std::optional<Vec> axis_of(int link, std::size_t joint, const mechanism::Model& 
 
 /// The lugs of a bar lie along the line between its pins.
 double transverse_to(int link, const Vec& axis, std::size_t joint, const Solved& solved) {
-  constexpr double rounding = 1e-12;
+  constexpr double rounding = 1e-9;  // of the force
   double most = none;
   for (std::size_t k = 0; k < solved.cycle.positions.size(); ++k) {
     if (!solved.cycle.has_forces(k)) continue;

@@ -198,6 +198,7 @@ void refuse_idle_reasons(const Step& of, const std::set<const Typed*>& used, std
     const FieldInfo* const field = find_field(step.calculator->input->fields, key);
     const bool may_be_needed = field != nullptr && !facts_of(*field).empty() && !of.body_facts();
     if (may_be_needed) continue;  // another step may describe the same body
+    if (field != nullptr && field->type == FieldInfo::Type::list) continue;  // a later step may contradict an element
     issues.push_back({reason.place, step.name + ".because." + key,
                       say("because.{1} is not needed: no row or record has a lower value of {1}", key),
                       say("omit it; to accept a failure mode use accept.MODE"), Severity::error});

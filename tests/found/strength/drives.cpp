@@ -45,7 +45,7 @@ TEST_SUITE("found drives") {
   }
 
   TEST_CASE("a chain without sag hangs nowhere") {
-    const std::string far = "P_R = \"2.5 kW\"\na = \"20 m\"\n";
+    const std::string far = "P_R = \"2.5 kW\"\na = \"20 m\"\nbecause.a = \"guided\"\n";
     const auto with = [&](const std::string& K_f) {
       std::string text = chain(far + K_f);
       return text.replace(text.find("a = \"500 mm\"\n"), 13, "");

@@ -53,14 +53,13 @@ std::optional<Ratio> ratio_of(const Step& step, const Project& project) {
   return std::nullopt;
 }
 
-/// Pairs with an idler gear, or of a sun and its planet, are parts of a stage.
+/// Pairs of gears are compared with the stages by their teeth, and may be parts of one.
 bool is_part_of_stage(const Step& step, const Step& train, const Place& place) {
   const Record& record = train.input().reading.record;
   const Leaf kind = find_leaf(record, "stages[" + place.number + "].kind");
   const std::string word = kind ? word_of(kind) : "";
   if (word == "planetary" || word == "other") return true;
-  const bool is_gear = word == "gear" || word == "internal";
-  return is_gear && find_field(step.input().calculator->input->fields, "idler") != nullptr;
+  return find_field(step.input().calculator->input->fields, "idler") != nullptr;
 }
 
 double speed_at(const Project& project, const std::string& train, std::size_t number) {

@@ -197,7 +197,7 @@ void refuse_idle_reasons(const Step& of, const std::set<const Typed*>& used, std
     if (used.contains(&reason) || is_for_factor || answers_for_reduction(step.reading, key)) continue;
     const FieldInfo* const field = find_field(step.calculator->input->fields, key);
     const bool may_be_needed = field != nullptr && !facts_of(*field).empty() && !of.body_facts();
-    if (may_be_needed) continue;  // another step may describe the same body
+    if (may_be_needed) continue;                                             // another step may describe the same body
     if (field != nullptr && field->type == FieldInfo::Type::list) continue;  // a later step may contradict an element
     issues.push_back({reason.place, step.name + ".because." + key,
                       say("because.{1} is not needed: no row or record has a lower value of {1}", key),

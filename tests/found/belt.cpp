@@ -131,7 +131,7 @@ TEST_SUITE("found belt") {
     const std::string ribs = "d_b = \nrho = \nsigma_adm = \nE_b = \nphi = \nd_min = \nribbed_belt = \"PK\"\n";
     CHECK(mode_with("belt.grooved", ribs + "P_R = \"4 kW\"", "rating") == "not-judged");
     CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"", "rating") == "pass");
-    CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"\nphi = \"20 deg\"", "grip") == "not-judged");
+    CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"\nphi = \"20 deg\"", "typed_values") == "not-judged");
     CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"\nphi = \"40 deg\"", "grip") == "pass");
   }
 

@@ -126,8 +126,9 @@ void add_pins(const Mechanism::Input& in, const mechanism::Model& model, std::ve
     for (const int link : {joint.i, joint.j}) {
       if (!is_bar(link, n, model)) continue;
       const auto axis = axis_of(link, n, model);
-      add_single(transverse[link == joint.i ? 0 : 1], joint.name, out, [n, link, axis](const Solved& solved) {
-        return Output::Values({axis ? transverse_to(link, *axis, n, solved) : none});
+      if (!axis) continue;
+      add_single(transverse[link == joint.i ? 0 : 1], joint.name, out, [n, link, along = *axis](const Solved& solved) {
+        return Output::Values({transverse_to(link, along, n, solved)});
       });
     }
     const auto given = std::find_if(in.joints.begin(), in.joints.end(),

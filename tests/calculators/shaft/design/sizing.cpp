@@ -171,6 +171,18 @@ TEST_SUITE("shaft sizing" * test::by_case) {
     CHECK(contains(solved.origin("axle", "pieces[1].d"), "R_e"));
   }
 
+  TEST_CASE("a bearing seat that can only be the thickest segment has no size, and the search says so") {
+    const std::string text =
+        "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\npieces = [{ name = "
+        "\"left\", l = \"25 mm\", d = \"45 mm\" }, { name = \"wheel\", l = \"50 mm\", d = \"50 mm\" }, { name = "
+        "\"right\", l = \"40 mm\", d = \"?\" }, { name = \"end\", l = \"80 mm\", d = \"45 mm\" }]\n"
+        "supports = [{ x = \"12 mm\", holds = \"both\" }, { x = \"90 mm\" }]\n"
+        "seats = [{ x = \"50 mm\", T = \"100 N*m\", F_x = \"2 kN\" }, { x = \"155 mm\", way = \"balances\" }]\n"
+        "notches = [{ x = \"25 mm\", kind = \"shoulder\", r = \"1 mm\" }, { x = \"75 mm\", kind = \"shoulder\", r = "
+        "\"1 mm\" }, { x = \"115 mm\", kind = \"shoulder\", r = \"1 mm\" }]\nS_F = 1.5\n";
+    CHECK(contains(Solved(text).origin("axle", "pieces.right.d"), "a bearing seat is the thickest segment"));
+  }
+
   TEST_CASE("sizes of other kinds are still searched for one at a time") {
     const std::string mixed = shaft({"?", "?", "?", "?", "?"}, "");
     CHECK(contains(Solved(test::with(mixed, "S_F", "\"?\"")).errors(), "cannot be searched for"));

@@ -32,8 +32,8 @@ std::string template_hint(const std::string& name) {
   for (const Calculator* const calculator : calculators()) {
     const std::string id = calculator->id;
     if (id == name || id.starts_with(name + "."))
-      return "write the example of " + id + ": loadpath describe " + id + " --toml > project.toml; " +
-             there_is(names()).text();
+      return say("write the example of {1}: loadpath describe {1} --toml > project.toml; {2}", id, there_is(names()))
+          .text();
   }
   return did_you_mean(name, names(), there_is(names())).text();
 }

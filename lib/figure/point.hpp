@@ -24,6 +24,7 @@ inline Point at_angle(double angle, double radius) { return {radius * std::cos(a
 /// A circle as a polygon.
 inline std::vector<Point> polygon_of_circle(Point centre, double radius, int corners) {
   std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(corners));
   for (int k = 0; k < corners; ++k) points.push_back(centre + at_angle(2.0 * std::numbers::pi * k / corners, radius));
   return points;
 }

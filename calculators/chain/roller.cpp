@@ -1,6 +1,6 @@
 #include "calculators/chain/roller.hpp"
 
-#include "calculators/belt/figures.hpp"
+#include "calculators/chain/figures.hpp"
 #include "calculators/chain/layout.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
@@ -163,18 +163,7 @@ template Roller::Result Roller::evaluate(const Input&, NoTrace&);
 template Roller::Result Roller::evaluate(const Input&, Trace&);
 
 std::vector<figure::Figure> Roller::figures(const Input& in, const Result& r) {
-  if (!is_set(r.a)) return {};
-  belt::TwoWheels w;
-  w.d_1 = in_si(r.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);
-  w.alpha_1 = r.alpha_1, w.alpha_2 = r.alpha_2;
-  w.n_1 = in_si(in.n_1), w.n_2 = in_si(r.n_2);
-  belt::Pulls pulls;
-  pulls.tight_symbol = "F", pulls.tight = in_si(r.F);
-  pulls.symbol = "F_W", pulls.R = pulls.R_x = in_si(r.F_W), pulls.R_y = 0.0;
-  auto drawing = std::make_shared<figure::Drawing>();
-  drawing->views = {belt::drive_view(w, pulls)};
-  return {{"chain", "The drive on its pitch circles: 1 drives, clockwise as drawn, so that its tight span lies below",
-           figure::Drawn(std::move(drawing))}};
+  return is_set(r.a) ? drive_figures(in.n_1, r) : std::vector<figure::Figure>{};
 }
 
 }  // namespace loadpath::chain

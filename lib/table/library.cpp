@@ -69,7 +69,7 @@ std::vector<const Table*> tables_where(const std::string& text, Wanted wanted) {
   return found;
 }
 
-/// Rows that were found, for a project asks for the same few again and again.
+/// Rows that were found, for a project looks up the same few again and again.
 class FoundRows {
  public:
   Entry find(const std::string& key) const {

@@ -98,7 +98,7 @@ std::optional<std::string> text_of(std::string_view markup, bool in_script) {
   return out;
 }
 
-/// Text that stands in a formula keeps the blanks at its ends. It is set as numbers are: next to mtext an operator is
+/// Text in a formula keeps the blanks at its ends. It is set as numbers are: next to mtext an operator is
 /// set as a sign. Scripts directly in a token would be blocks.
 std::string as_element(std::string text) {
   constexpr std::string_view kept_blank = "\u00A0";

@@ -43,7 +43,7 @@ TEST_SUITE("key figure") {
     for (const Key::Input& in : {seat(), two, hollow, bare, geared}) check_drawn(figure_of(in));
   }
 
-  TEST_CASE("the key stands on the bottom of its keyway, with clearance to that of the hub") {
+  TEST_CASE("the key rests on the bottom of its keyway, with clearance to that of the hub") {
     const auto figure = figure_of(seat());
     const auto& view = drawing_of(figure).views[0];
     const auto& hub = view.areas[0].hole;

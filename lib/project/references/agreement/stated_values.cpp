@@ -195,7 +195,7 @@ class StatedCheck {
     return std::isnan(here) ? magnitude_at(project_, step_.name() + "." + key) : here;
   }
 
-  /// Whether a larger value asks for more than the step has: a life, a reliability, a safety factor, an
+  /// Whether a larger value requires more than the step has: a life, a reliability, a safety factor, an
   /// allowance for corrosion, a speed.
   [[nodiscard]] bool asks_for_more(const Stated& stated, double here) const {
     if (stated.name == "R") return here >= 0.5 && stated.si < 1.0 && stated.si > here;

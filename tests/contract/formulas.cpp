@@ -190,7 +190,7 @@ TEST_SUITE("contract: formulas" * by_element) {
     auto missing = source_formulas([](std::string_view folder) { return takes(folder); });
     if (!is_part()) CHECK(missing.size() > 600);
     const auto all = sources();
-    Share share(4);
+    Share share(8);
     for (const Source& source : all) {
       if (takes(source.elements.front()) && !share.skips()) source.solve(check);
     }

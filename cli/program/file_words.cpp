@@ -6,7 +6,7 @@ namespace loadpath::cli {
 void setup_init(CLI::App& app, InitOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("init", "begin a project: a commented file that runs");
   sub->add_option("template", options.starter,
-                  "belt, column, mechanism, shaft or vessel; prompted for on a terminal if omitted");
+                  "belt, chain, column, gear, mechanism, shaft, vessel or worm; prompted for on a terminal if omitted");
   sub->add_option("file", options.file, "file to write; omitted: TEMPLATE.toml; - is standard output");
   sub->add_option("--set", options.settings,
                   "a number of its own: --set T=\"80 N*m\" for one of [values], --set shaft.S_F=2 for another")

@@ -49,7 +49,7 @@ Ran on_terminal(const Desk& desk, const std::vector<std::string>& words, const s
 
 TEST_SUITE("cli init") {
   TEST_CASE("every template runs: what is judged passes, what is not is listed as open, nothing is without effect") {
-    for (const char* name : {"belt", "column", "mechanism", "shaft", "vessel"}) {
+    for (const char* name : {"belt", "chain", "column", "gear", "mechanism", "shaft", "vessel", "worm"}) {
       CAPTURE(name);
       const Desk desk;
       const Ran begun = desk.run({"init", name});
@@ -68,7 +68,7 @@ TEST_SUITE("cli init") {
   TEST_CASE("without a template, and nobody to ask, the templates are told") {
     const Ran ran = loadpath_with({"init"});
     CHECK(ran.code == 2);
-    CHECK(contains(ran.error, "belt, column, mechanism, shaft, vessel"));
+    CHECK(contains(ran.error, "belt, chain, column, gear, mechanism, shaft, vessel, worm"));
     CHECK(contains(loadpath_with({"init", "shat"}).error, "did you mean 'shaft'?"));
   }
 

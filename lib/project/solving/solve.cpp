@@ -3,7 +3,7 @@
 #include "lib/project/accept.hpp"
 #include "lib/project/fixes.hpp"
 #include "lib/project/modes.hpp"
-#include "lib/project/references/factors.hpp"
+#include "lib/project/references/factors/factors.hpp"
 #include "lib/project/references/kinds.hpp"
 #include "lib/project/references/machine/machine.hpp"
 #include "lib/project/references/meanings.hpp"

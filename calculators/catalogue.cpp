@@ -25,7 +25,7 @@ namespace gear { struct Pair; struct Planetary; struct Rating; struct Bevel; str
 namespace chain { struct Roller; }
 namespace drive { struct Train; struct FrictionWheels; }
 namespace belt { struct Flat; struct V; struct VSizing; struct Synchronous; struct Grooved; struct Course; }
-namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct Spatial; struct UniversalJoint; struct AlongPath; }
+namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct Spatial; struct UniversalJoint; struct SphericalFourBar; struct AlongPath; }
 namespace dynamics {
   struct ForceOfMotion; struct Throw; struct Impulse; struct SystemMomentum; struct MassCentre;
   struct AngularMomentumChange; struct WorkAndEnergy; struct Lift; struct Motion; struct Inertia;
@@ -125,6 +125,7 @@ static constexpr std::array all{
     Row{&erased<motion::Compound>},
     Row{&erased<motion::Spatial>},
     Row{&erased<motion::UniversalJoint>},
+    Row{&erased<motion::SphericalFourBar>},
     Row{&erased<dynamics::ForceOfMotion>},
     Row{&erased<dynamics::Throw>},
     Row{&erased<dynamics::Motion>},

@@ -54,6 +54,10 @@ const char* const stepped_bar =
     "supports = [{ x = \"0 mm\" }, { x = \"200 mm\" }]\nseats = [{ x = \"100 mm\", F_x = \"1 kN\" }]\n"
     "notches = [{ name = \"step\", x = \"100 mm\", kind = \"shoulder\", r = \"2 mm\", h = \"4 mm\" }]\ng_angle = ";
 
+/// motion.spherical_four_bar with the arcs of a universal joint at 60 deg.
+const char* const universal =
+    "alpha_1 = \"90 deg\"\nalpha_2 = \"90 deg\"\nalpha_3 = \"90 deg\"\nalpha_4 = \"60 deg\"\nmu_req = ";
+
 const Case shapes[] = {
     {"section.circle", R"(d = "2 m")", "I_t", pi / 2},
     {"section.circle", "d = \"2 m\"", "A", pi},
@@ -718,6 +722,15 @@ const Case motion[] = {
     {"motion.universal_joint", "beta = \"0 deg\"", "U", 0.0},
     {"motion.universal_joint", "beta = \"30 deg\"\nbeta_2 = \"30 deg\"\nphi_1 = \"50 deg\"", "i", 1.0},
     {"motion.universal_joint", "beta = \"60 deg\"", "U", 1.5},
+    // three arcs of 90 deg: a universal joint at 60 deg
+    {"motion.spherical_four_bar", universal, "i_max", 2.0},
+    {"motion.spherical_four_bar", universal, "i_min", 0.5},
+    {"motion.spherical_four_bar", universal, "M_1max", 20.0},
+    {"motion.spherical_four_bar", universal, "mu_min", pi / 6},
+    // on shafts at right angles coupler and output of 90 deg swing by the arc of the input to either side
+    {"motion.spherical_four_bar", "alpha_2 = \"90 deg\"\nalpha_3 = \"90 deg\"\nalpha_4 = \"90 deg\"", "theta_4",
+     pi / 3},
+    {"motion.spherical_four_bar", "alpha_2 = \"90 deg\"\nalpha_3 = \"90 deg\"\nalpha_4 = \"90 deg\"", "Q", 1.0},
     {"dynamics.force", "x = \"3 m/s*t\"\ny = \"4 m/s*t\"", "P", 0.0},
     // a fall that has reached its terminal velocity
     {"dynamics.motion",

@@ -503,6 +503,12 @@ const Side v_belts[] = {
 };
 
 const Side motion[] = {
+    // arcs of 60, 40, 50 and 80 deg close up to 95.843 deg, where coupler and output are in line: cos(diagonal) = 0
+    {"motion.spherical_four_bar", "u_c", over, "phi_b", R"("95.8 deg")", R"("95.9 deg")",
+     "alpha_1 = \"60 deg\"\nalpha_2 = \"40 deg\"\nalpha_3 = \"50 deg\"\nphi_a = \"20 deg\"\nmu_req = "},
+    // the diagonal of 110 deg: arccos(|cos(110 deg) - cos(70 deg) cos(60 deg)|/(sin(70 deg) sin(60 deg))) = 50.919 deg
+    {"motion.spherical_four_bar", "u_mu", over, "mu_req", R"("50.9 deg")", R"("51 deg")"},
+    {"motion.spherical_four_bar", "T_min", over, "alpha_4", R"("99.9 deg")", R"("100 deg")"},
     {"dynamics.throw", "u_h", over, "h", R"("-5 m")", R"("-5.1 m")"},
     {"dynamics.throw", "u_L", over, "L_req", R"("35.3 m")", R"("35.4 m")"},
     {"dynamics.lift", "u_s", over, "s", R"("1.04 m")", R"("1.05 m")",

@@ -60,6 +60,8 @@ constexpr std::array alone{
     Reason{"vessel.cylinder shell.p", "the pressure on its ends is all that loads them"},
     Reason{"motion.universal_joint M_1", "the torque of the driving shaft, with all that turns on the driven one"},
     Reason{"motion.universal_joint M_1max", "the torque of the driving shaft from the load; M_J is named beside it"},
+    Reason{"motion.spherical_four_bar M_1", "the torque of the input, from the load of the output"},
+    Reason{"motion.spherical_four_bar M_1max", "the torque of the input, from the load of the output"},
     Reason{"machine.flywheel M_peak", "what else acts comes along with the moments that it is the peak of"},
 };
 
@@ -93,6 +95,7 @@ constexpr std::array takes_alone{
     Reason{"mechanism.planar", of_a_body},
     Reason{"machine.flywheel", of_energy},
     Reason{"motion.universal_joint", of_a_drive},
+    Reason{"motion.spherical_four_bar", of_a_drive},
     Reason{"fatigue.cycle", of_stress},
     Reason{"fatigue.life", of_stress},
     Reason{"fatigue.combined", of_stress},

@@ -55,6 +55,7 @@ constexpr std::array unbroken{
     Reason{"dynamics.motion", laws},
     Reason{"dynamics.path_work", laws},
     Reason{"motion.spatial", laws},
+    Reason{"motion.spherical_four_bar", laws},
     Reason{"motion.universal_joint", "speeds and torques; the strength of the joint is not covered"},
     Reason{"dynamics.impulse", laws},
     Reason{"dynamics.momentum", laws},

@@ -73,7 +73,8 @@ M_4 = "10 N*m"
           .may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the input"}.positive(),
       Field{&Input::epsilon_1, "epsilon_1", rad_per_s2, "angular acceleration of the input"},
-      Field{&Input::phi_a, "phi_a", deg, "start of the input range in use; omitted: the revolution of a crank"}
+      Field{&Input::phi_a, "phi_a", deg,
+            "start of the input range in use; omitted: the revolution of a crank, else phi_1 only"}
           .may_be_missing(),
       Field{&Input::phi_b, "phi_b", deg, "end of the input range in use"}.may_be_missing(),
       Field{&Input::mu_req, "mu_req", deg, "required minimum transmission angle, acute"}

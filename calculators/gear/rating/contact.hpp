@@ -120,6 +120,7 @@ Contact contact_of(const Input& in, const PairResult& g, const Wheel& wheel, con
   STEP(sigma_H, Z_BD * sigma_H0 * sqrt(in.K_A * K_V * K_Hbeta * K_Halpha),
        is_iso(in) ? "contact stress, [ISO6336-2] 2006, 5.3" : "contact stress, [DIN3990-2]");
   c.sigma = trace.value(wheel.symbols.sigma_H, sigma_H, "of this gear");
+  if (!in.blocks.empty()) return c;  // its limit is one of damage
   const Stress sigma_Hlim = trace.value("sigma_Hlim", lim, "allowable stress number of this gear");
   const LifeLimit limit = is_iso(in) ? flank_limit_iso(in, g, wheel, mate, sigma_Hlim, N, r, trace)
                                      : flank_limit_din(in, wheel, mate, sigma_Hlim, N, r, trace);

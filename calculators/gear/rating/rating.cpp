@@ -1,6 +1,7 @@
 #include "calculators/gear/rating/rating.hpp"
 
 #include "calculators/gear/rating/contact.hpp"
+#include "calculators/gear/rating/damage.hpp"
 #include "calculators/gear/rating/iso_load.hpp"
 #include "calculators/gear/rating/root.hpp"
 #include "lib/calculator/calculator_of.hpp"
@@ -159,6 +160,42 @@ double Rating::least_deviation(const Input& in) {
   return is_iso(in) ? tolerances_of(in, g, in.grade).f_ma() * 1e-6 : in_si(helix_tolerance(in, g));
 }
 
+namespace {
+
+/// One block by load factors and stresses of its own; without torque it only turns.
+void add_block(const RatingTypes::Input& in, const LoadBlock& block, const PairResult& g, const Runners& runners,
+               const Form& f_1, const Form& f_2, RatingTypes::Result& r, Spectra& spectra) {
+  NoTrace quiet;
+  const RatingTypes::Input at = input_of_block(in, block);
+  const double N_1 = cycles_of_block(at, runners.one, block.q), N_2 = cycles_of_block(at, runners.two, block.q);
+  BlockDamage row{block.name, block.q, abs(at.T_1), abs(at.n_1), N_1, N_2};
+  if (!(row.T > 0.0 * N_m.one)) {
+    spectra.flank_1.push_back({}), spectra.flank_2.push_back({});
+    spectra.root_1.push_back({}), spectra.root_2.push_back({});
+    r.blocks.push_back(row);
+    return;
+  }
+  const RatingTypes::Result of = Rating::evaluate(at, quiet);
+  row.K_V = of.K_V, row.K_Hbeta = of.K_Hbeta;
+  r.blocks.push_back(row);
+  const Wheel &one = runners.one, &two = runners.two;
+  spectra.flank_1.push_back(flank_stress(at, g, one, two, runners.lim_1, of.sigma_H1, N_1, of));
+  spectra.flank_2.push_back(flank_stress(at, g, two, one, runners.lim_2, of.sigma_H2, N_2, of));
+  spectra.root_1.push_back(root_stress(at, one, f_1, bending_number(one), of.sigma_F1, N_1));
+  spectra.root_2.push_back(root_stress(at, two, f_2, bending_number(two), of.sigma_F2, N_2));
+}
+
+template <class Tracer>
+void load_spectrum(const RatingTypes::Input& in, const PairResult& g, const Runners& runners, const Form& f_1,
+                   const Form& f_2, RatingTypes::Result& r, Tracer& trace) {
+  Spectra spectra;
+  for (const LoadBlock& block : in.blocks) add_block(in, block, g, runners, f_1, f_2, r, spectra);
+  safety_by_damage(in, spectra, r, trace);
+  equivalent_torques(in, r, trace);
+}
+
+}  // namespace
+
 template <class Tracer>
 Rating::Result Rating::evaluate(const Input& in, Tracer& trace) {
   Result r;
@@ -191,6 +228,7 @@ Rating::Result Rating::evaluate(const Input& in, Tracer& trace) {
   r.sigma_F01 = t_1.sigma_0, r.sigma_F1 = t_1.sigma, r.sigma_FG1 = t_1.limit, r.S_F1 = t_1.S, r.u_F1 = t_1.u;
   r.sigma_F02 = t_2.sigma_0, r.sigma_F2 = t_2.sigma, r.sigma_FG2 = t_2.limit, r.S_F2 = t_2.S, r.u_F2 = t_2.u;
   r.Y_B1 = t_1.Y_B, r.Y_B2 = t_2.Y_B, r.Y_NT1 = t_1.Y_NT, r.Y_NT2 = t_2.Y_NT;
+  if (!in.blocks.empty()) load_spectrum(in, g, runners, f_1, f_2, r, trace);
   r.x_eps = g.eps_alpha;
   r.x_free = g.x_free, r.s_a = g.s_a;
   if (!is_set(in.s_pr)) r.f_int = g.f_int;  // the fillet of a protuberance tool begins higher

@@ -4,10 +4,10 @@
 // of both gears, their limits for endurance or at their cycles, and both safety factors. DIN 3990-11:1989, the form of
 // ISO 6336 for machinery, with the helix factor of DIN 3990-2; or ISO 6336-1, -2 and -3:2006, method B, the load over
 // the face width by method C. Allowable stress numbers by ISO 6336-5 or as given. Loads nominal, with the application
-// factor K_A; T_1 is the torque of gear 1. Not covered: inner teeth, DIN 3990 beyond its dynamic constants, webs, load
-// spectra, scuffing, micropitting, case crushing; ISO 6336 of 2019 except Y_F and Y_beta, form circles of protuberance
-// tools, grinding notches. From memory: moduli of irons, f_ma of DIN 3990 where it is not given, F_betaxmin, Y_A of
-// idlers, numbers of ISO clauses.
+// factor K_A; T_1 is the torque of gear 1. Load spectra by ISO 6336-6, with damage sums. Not covered: inner teeth, DIN
+// 3990 beyond its dynamic constants, webs, scuffing, micropitting, case crushing; ISO 6336 of 2019 except Y_F and
+// Y_beta, form circles of protuberance tools, grinding notches. From memory: moduli of irons, f_ma of DIN 3990 where it
+// is not given, F_betaxmin, Y_A of idlers, numbers of ISO clauses.
 #pragma once
 
 #include "calculators/gear/rating/materials.hpp"
@@ -18,6 +18,7 @@
 #include "lib/calculator/trace.hpp"
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace loadpath::gear {
@@ -28,12 +29,13 @@ struct Rating : RatingTypes {
   static constexpr auto scope =
       "Pitting and tooth breakage of external spur and helical gears by DIN 3990-11 (machinery), with the load "
       "factors, endurance and finite life; materials by ISO 6336-5. With standard = \"iso6336\" all factors are those "
-      "of ISO 6336-1, -2 and -3:2006.";
-  static constexpr auto source = "[DIN3990-11], [ISO6336-1], [ISO6336-2], [ISO6336-3], [ISO6336-5]";
+      "of ISO 6336-1, -2 and -3:2006, load spectra those of ISO 6336-6.";
+  static constexpr auto source = "[DIN3990-11], [ISO6336-1], [ISO6336-2], [ISO6336-3], [ISO6336-5], [ISO6336-6]";
   static constexpr auto headline = "S_H {S_H1}/{S_H2}";
   static constexpr auto synonyms =
       "gear rating, pitting, tooth breakage, load capacity, ISO 6336, DIN 3990, contact stress, "
-      "Hertzian pressure, rim thickness, tooth flank, safety against pitting, root safety, "
+      "load spectrum, equivalent torque, Lastkollektiv, Hertzian pressure, rim thickness, tooth flank, safety against "
+      "pitting, root safety, "
       "Tragfähigkeit, Grübchen, Zahnfuß, Flankentragfähigkeit, выкрашивание, питтинг, контактные напряжения, прочность "
       "зубьев";
   static constexpr auto example = R"([project]
@@ -66,6 +68,11 @@ S_Hmin = 1.1
 S_Fmin = 1.4
 )";
 
+  /// Volume of both gears as solid cylinders, in m^3: what module and width that are searched for together minimise.
+  static double amount(const Input& in) {
+    const double z_1 = in.z_1, z_2 = in.z_2, m_t = in_si(in.m_n) / std::cos(in.beta);
+    return pi / 4.0 * (z_1 * z_1 + z_2 * z_2) * m_t * m_t * in_si(in.b);
+  }
   static bool has_strengths(const Input& in);
   static FieldFault missing_strength(const Input& in);
   static bool has_line(const Input& in);
@@ -78,13 +85,13 @@ S_Fmin = 1.4
   static bool has_wide_tip(const Input& in);
   static double least_deviation(const Input& in);
 
-  static constexpr Fields inputs{
+  static constexpr Fields inputs_of_pair{
       RecordField<Input>{"mesh", "gear pair: mesh = \"=stage.mesh\""},
       Choice{&Input::standard, "standard", "standard of the rating"}.may_be_missing(),
       Choice{&Input::root_edition, "root_edition", "edition of ISO 6336-3"}.may_be_missing(),
       Count{&Input::z_1, "z_1", 5, 2000, "number of teeth, gear 1"},
       Count{&Input::z_2, "z_2", 5, 2000, "number of teeth, gear 2"},
-      Field{&Input::m_n, "m_n", mm, "normal module"}.positive().usually(0.5, 50),
+      Field{&Input::m_n, "m_n", mm, "normal module"}.positive().usually(0.5, 50).findable("module"),
       Field{&Input::alpha_n, "alpha_n", deg, "normal pressure angle"}.within(15, 25).usually(17.5, 25),
       Field{&Input::beta, "beta", deg, "helix angle at the reference diameter"}.within(0, 45).usually(0, 30),
       Field{&Input::x_1, "x_1", ratio, "profile shift coefficient, gear 1"}.within(-1.5, 1.5).usually(-0.8, 1.2),
@@ -102,7 +109,7 @@ S_Fmin = 1.4
           .usually(0, 0.08)
           .may_be_missing(),
       Choice{&Input::shortening, "shortening", "tip shortening of a pair with profile shift"}.may_be_missing(),
-      Field{&Input::b, "b", mm, "common face width"}.positive(),
+      Field{&Input::b, "b", mm, "common face width"}.positive().findable("R20"),
       Field{&Input::T_1, "T_1", N_m, "torque of gear 1, nominal"}.load().at_least_that_of_source("T_1"),
       Field{&Input::n_1, "n_1", rpm, "speed of gear 1"}.near_that_of_source("n_1"),
       Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the load includes it)"}
@@ -181,8 +188,9 @@ S_Fmin = 1.4
           .customarily_at_least(1.2)
           .may_be_missing()
           .factor()};
+  static constexpr auto inputs = join(inputs_of_pair, spectrum_inputs<Input>());
 
-  static constexpr Fields results{
+  static constexpr Fields results_of_pair{
       Field{&Result::F_t, "F_t", N, "nominal tangential force at the reference circle"},
       Field{&Result::v, "v", m_per_s, "velocity at the reference circle"},
       Field{&Result::c_th, "c_th", ratio, "theoretical single stiffness of the teeth, N/(mm um)"},
@@ -273,8 +281,9 @@ S_Fmin = 1.4
           .where_it_applies(),
       Field{&Result::c_n, "c_n", mm, "tip clearance, the smaller one"}.limit(-1e-6, 1e4).criterion(),
       Field{&Result::j_bn, "j_bn", mm, "normal backlash (negative: jamming)"}.limit(-1e-6, 1e3).criterion()};
+  static constexpr auto results = join(results_of_pair, spectrum_results<Result>());
 
-  static constexpr std::array rules{
+  static constexpr std::array rules_of_pair{
       Rule<Input>{&has_strengths, "quality_1, quality_2, sigma_Hlim_1, sigma_Hlim_2, sigma_Flim_1, sigma_Flim_2",
                   "each gear needs quality and H, or sigma_Hlim and sigma_Flim", &missing_strength},
       Rule<Input>{&has_line, "material_1, material_2, quality_1, quality_2, H_1, H_2",
@@ -321,6 +330,7 @@ S_Fmin = 1.4
           "than the face, and the shaft no thicker than the root circle"},
       Rule<Input>{[](const Input& in) { return !(abs(in.n_1) <= 0.0 * rpm); }, "n_1",
                   "a running gear needs a speed greater than zero"}};
+  static constexpr auto rules = join(rules_of_pair, spectrum_rules<Input>());
 
   /// Flanks that are ground and then finished by tumbling, from memory.
   static double least_roughness(const Input&) { return in_si(0.5 * um); }

@@ -90,6 +90,7 @@ Root root_of(const Input& in, const Wheel& wheel, const Form& form, double K_Fbe
   const double K_Fbeta = trace.value("K_Fbeta", K_Fbeta_of, "face load factor of this gear");
   STEP(sigma_F, sigma_F0 * in.K_A * K_V * K_Fbeta * K_Falpha, "root stress");
   root.sigma = trace.value(wheel.symbols.sigma_F, sigma_F, "of this gear");
+  if (!in.blocks.empty()) return root;  // its limit is one of damage
   const Stress sigma_Flim = trace.value("sigma_Flim", lim, "allowable stress number of this gear");
   const LifeLimit limit = is_iso(in) ? root_limit_iso(in, wheel, form, sigma_Flim, N, trace)
                                      : root_limit_din(in, wheel, form, sigma_Flim, N, r, trace);

@@ -4,6 +4,7 @@
 #include "calculators/gear/pair_choices.hpp"
 #include "calculators/gear/rated_mesh.hpp"
 #include "calculators/gear/rating/choices.hpp"
+#include "calculators/gear/rating/spectrum.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/drive_units.hpp"
 #include "lib/quantity/fit_units.hpp"
@@ -47,6 +48,7 @@ struct RatingTypes {
     Time L_h = unset<Time>;
     double S_Hmin = unset<double>, S_Fmin = unset<double>;
     Whole q_1 = 1, q_2 = 1;
+    List<LoadBlock, most_load_blocks> blocks;
   };
 
   struct Result {
@@ -77,6 +79,10 @@ struct RatingTypes {
     double x_eps = unset<double>;
     double x_free = unset<double>, s_a = unset<double>, f_int = unset<double>;
     Length c_n = unset<Length>, j_bn = unset<Length>;
+    double D_H1 = unset<double>, D_H2 = unset<double>, D_F1 = unset<double>, D_F2 = unset<double>;
+    Moment T_H1 = unset<Moment>, T_H2 = unset<Moment>, T_F1 = unset<Moment>, T_F2 = unset<Moment>;
+    double K_AH = unset<double>, K_AF = unset<double>;
+    List<BlockDamage, most_load_blocks> blocks;
   };
 };
 

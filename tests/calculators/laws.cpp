@@ -23,6 +23,9 @@ using namespace loadpath::test;
 /// gear.rating by ISO 6336.
 #define OF_ISO "standard = \"iso6336\"\nnu_40 = \"150 mm^2/s\"\n"
 
+/// The same under a load spectrum.
+#define OF_SPECTRUM OF_ISO "L_h = \"2000 h\"\nblocks = [{ q = 0.4 }, { q = 0.6, k = 0.7, n = \"700 rpm\" }]\n"
+
 struct Law {
   const char* calculator;
   const char* from;
@@ -203,6 +206,8 @@ const Law drives[] = {
     {"gear.rating", OF_ISO, OF_ISO "S_Fmin = 2.8", "u_F1", 2},
     {"gear.rating", OF_ISO, OF_ISO "R_z1 = \"10 um\"\nR_z2 = \"10 um\"", "Z_R", std::pow(0.5, 0.08)},
     {"gear.rating", OF_ISO "L_h = \"10000 h\"", OF_ISO "n_1 = \"490 rpm\"\nL_h = \"20000 h\"", "Z_NT2", 1},
+    {"gear.rating", OF_SPECTRUM, OF_SPECTRUM "T_1 = \"800 N*m\"", "T_F2", 2},
+    {"gear.rating", OF_SPECTRUM "S_Hmin = 1.5", OF_SPECTRUM "S_Hmin = 1.5\nq_1 = 2", "D_H1", 2},
     {"gear.bevel", "", R"(P = "10 kW")", "F_a1", 2},
     {"gear.bevel", "", R"(P = "20 kW")", "s_c", 2},
     {"gear.bevel", "", R"(P = "10 kW")", "s_t1", 2},

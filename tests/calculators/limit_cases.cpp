@@ -502,6 +502,10 @@ const Case racks[] = {
      1 / std::sqrt(std::cos(8 * pi / 180))},
     {"gear.rating", "standard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"", "Z_L", 0.91 + 0.36 / (2.2 * 2.2)},
     {"gear.rating", "standard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"", "Z_NT1", 0.85},
+    // Half of the time at half of the torque: the mean with the exponent of the chart, ln(3e6/1e3)/ln(2.5).
+    {"gear.rating",
+     "standard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"\nL_h = \"9000 h\"\nblocks = [{ q = 0.5 }, { q = 0.5, k = 0.5 }]",
+     "K_AF", std::pow(0.5 * (1 + std::pow(0.5, 8.7378026309)), 1 / 8.7378026309)},
     {"gear.rating", "standard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"\ns_R2 = \"20 mm\"", "Y_B2", 1},
     {"gear.rating", "standard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"\nshortening = \"none\"\ns_R1 = \"6 mm\"", "Y_B1",
      1.6 * std::log(2.242 * 1.5)},

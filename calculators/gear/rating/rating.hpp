@@ -69,9 +69,12 @@ S_Fmin = 1.4
 )";
 
   /// Volume of both gears as solid cylinders, in m^3: what module and width that are searched for together minimise.
+  /// Pairs out of proportion come last: discs thinner than 6 modules, gears wider than 1.2 d_1 (from general
+  /// knowledge).
   static double amount(const Input& in) {
-    const double z_1 = in.z_1, z_2 = in.z_2, m_t = in_si(in.m_n) / std::cos(in.beta);
-    return pi / 4.0 * (z_1 * z_1 + z_2 * z_2) * m_t * m_t * in_si(in.b);
+    const double z_1 = in.z_1, z_2 = in.z_2, m_t = in_si(in.m_n) / std::cos(in.beta), b = in_si(in.b);
+    const bool is_usual = b >= 6.0 * in_si(in.m_n) && b <= 1.2 * z_1 * m_t;
+    return pi / 4.0 * (z_1 * z_1 + z_2 * z_2) * m_t * m_t * b * (is_usual ? 1.0 : 1e9);
   }
   static bool has_strengths(const Input& in);
   static FieldFault missing_strength(const Input& in);

@@ -137,7 +137,7 @@ void NestedSearch::tell(const Choice& found) {
   const bool is_least = has_amount(evaluation_.calculator());
   for (std::size_t k = 0; k < all_.size(); ++k) {
     Message text =
-        is_least ? say("of the combination with the smallest area with which no assessed mode fails, sizes of {1}",
+        is_least ? say("of the combination with the least material with which no assessed mode fails, sizes of {1}",
                        all_[k].source())
                  : say("smallest of {1} with which no assessed mode fails, in combination with the other sizes",
                        all_[k].source());

@@ -1,6 +1,6 @@
 // The search for several inputs of one step that no calculator sizes together: a diameter, the key in it, its length.
 // In the order in which the calculator lists them each is the smallest with which the rest can pass; of a calculator
-// that gives an amount, an area, together they are those of the least amount.
+// that gives an amount, an area or a volume, together they are those of the least amount.
 #pragma once
 
 #include "lib/project/run/search/candidates.hpp"

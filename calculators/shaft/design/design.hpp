@@ -376,7 +376,7 @@ r_T = 0
       Mode<Input>{"one_piece", "pulley or sprocket integral with the shaft", &has_turned_pulley}.advising(
           "give the seat a connection, or confirm the integral design: accept.one_piece = \"...\""),
       Mode<Input>{"assembly", "axial clearance and assembly of components", &cannot_be_assembled}.advising(
-          "correct positions and diameters, or confirm the design (split, dished): accept.assembly = \"...\""),
+          "correct positions, widths and diameters, or confirm the design (split, dished): accept.assembly = \"...\""),
       Mode<Input>{"fit_speed", "interference of press fits at speed", &has_fast_fit}.judged_by("seats.x_n"),
       Mode<Input>{"turning_loads", "rotating loads (unbalance, crank)", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &brittle}.special(),

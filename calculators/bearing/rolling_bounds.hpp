@@ -77,6 +77,8 @@ constexpr auto rolling_bounds() {
       Bound<Input>{"X", "the kind of bearing", &least_X<Input>}.least(),
       Bound<Input>{"Y", "e of bearings of this kind", &least_Y<Input>}.least(),
       Bound<Input>{"Y_0", "Y of bearings of this kind", &least_Y_0<Input>}.least(),
+      Bound<Input>{"c_i", "bearings with Y of ISO 281; 0.47 is of those with K", [](const Input&) { return 0.5; }}
+          .least(),
       Bound<Input>{"L_m", "100 h at this speed", &least_life<Input>}.least()};
 }
 

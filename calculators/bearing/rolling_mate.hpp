@@ -61,7 +61,9 @@ constexpr auto pair_inputs() {
       Choice{&Input::carries, "carries", "direction of the axial force that this bearing carries, with mate"}
           .may_be_missing(),
       Field{&Input::x, "x", mm, "position of the bearing on the shaft, from its left end"}.may_be_missing(),
-      Field{&Input::c_i, "c_i", ratio, "induced axial force x Y / F_r: 0.5; some catalogues 0.6"}.within(0.5, 0.6)};
+      Field{&Input::c_i, "c_i", ratio,
+            "induced axial force x Y / F_r: 0.5; some catalogues 0.6, inch tapered roller bearings with K for Y 0.47"}
+          .within(0.47, 0.6)};
 }
 
 template <class Input>
@@ -149,7 +151,8 @@ Thrust thrust(const Input& in, Tracer& trace) {
                                 "external axial force, positive in the direction that this bearing carries");
   const Force F_i2 = trace.value("F_i2", in.c_i * in.mate.F_r / in.mate.Y,
                                  "induced by the mating bearing, c_i F_r/Y with its F_r and Y, [SKF-pairs]");
-  STEP(F_i1, in.c_i * in.F_r / in.Y, "induced by this bearing, [SKF-pairs]");
+  STEP(F_i1, in.c_i * in.F_r / in.Y,
+       in.c_i < 0.5 ? "induced by this bearing, Y is K, [Shigley-11-18]" : "induced by this bearing, [SKF-pairs]");
   STEP(F_ax, max(F_i1, F_i2 + K_a),
        F_i2 + K_a > F_i1 ? "the mating bearing and the external force press it, load cases of [SKF-pairs]"
                          : "its own induced force, which holds the balance, load cases of [SKF-pairs]");

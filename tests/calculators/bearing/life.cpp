@@ -72,6 +72,16 @@ TEST_SUITE("rolling bearing") {
     }
   }
 
+  TEST_CASE("[Shigley-11-18] inch tapered roller bearings: 0.47 F_r/K, 0.4 F_r + K F_a") {
+    Rolling::Input in = of_pair(true);
+    in.c_i = 0.47, in.e = 0.4, in.Y = 1.5, in.mate.Y = 1.5;
+    in.F_r = 2170.0 * N, in.mate.F_r = 2654.0 * N, in.F_a = 1690.0 * N;
+    const auto r = solve(in);
+    CHECK(rel(r.F_i / N, 0.47 * 2170.0 / 1.5) < 1e-12);
+    CHECK(rel(r.F_ax / N, 2521.587) < 1e-6);  // 1690 + 0.47 2654/1.5
+    CHECK(rel(r.P / N, 4650.38) < 1e-6);
+  }
+
   TEST_CASE("the viscosity ratio: 6208 at 900 rpm needs 20.5 mm^2/s, 45000 n^-0.83 D_pw^-0.5") {
     Rolling::Input in = in_oil(Kind::deep_groove_ball, unset<double>);
     in.d = 40.0 * mm, in.D = 80.0 * mm, in.n = 900.0 * rpm, in.nu = 20.52 * bearing::mm2_per_s;

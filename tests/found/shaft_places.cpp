@@ -67,6 +67,18 @@ TEST_SUITE("assembly of shafts") {
     CHECK(assembled(ends + collar + middle + "{ l = \"20 mm\", d = \"40 mm\" }, " + ends, gear + end) == "none");
   }
 
+  TEST_CASE("a hub ends at the shoulder of a thicker segment") {
+    const std::string pieces =
+        "{ l = \"60 mm\", d = \"30 mm\" }, { l = \"20 mm\", d = \"48 mm\" }, { l = \"60 mm\", d = \"40 mm\" }, "
+        "{ l = \"60 mm\", d = \"30 mm\" }";
+    const auto gear_at = [](const std::string& x, const std::string& b) {
+      return "{ name = \"gear\", F_x = \"-1 kN\", x = \"" + x + "\", b = \"" + b + "\" }";
+    };
+    CHECK(assembled(pieces, gear_at("110 mm", "60 mm")) == "none");
+    CHECK(assembled(pieces, gear_at("115 mm", "70 mm")) == "none");  // over the thinner one
+    CHECK(assembled(pieces, gear_at("105 mm", "60 mm")) == "not-judged");
+  }
+
   TEST_CASE("bodies have room beside one another and beside bearings") {
     const std::string bar = "{ l = \"200 mm\", d = \"40 mm\" }";
     const auto seat = [](const char* x, const char* b) {

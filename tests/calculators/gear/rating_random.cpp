@@ -122,7 +122,7 @@ TEST_SUITE("gear rating of random pairs") {
       in.standard = RatingStandard::din3990;
       const Out r = result_of(in);
       In coarser = in;
-      coarser.grade = in.grade + 1;
+      coarser.grade = static_cast<int>(in.grade) + 1;
       const Out s = result_of(coarser);
       faults += rises(s, r) + (s.K_V >= r.K_V && s.K_Hbeta >= r.K_Hbeta && s.K_Halpha >= r.K_Halpha ? 0 : 1);
     }

@@ -1,6 +1,7 @@
 #include "calculators/catalogue.hpp"
 
 #include "calculators/machine/flywheel_step.hpp"
+#include "calculators/machine/motion_step.hpp"
 #include "calculators/mechanism/step.hpp"
 #include "lib/project/run/calculator_step.hpp"
 
@@ -31,7 +32,7 @@ namespace dynamics {
   struct AngularMomentumChange; struct WorkAndEnergy; struct Lift; struct Motion; struct Inertia;
   struct PathWork;
 }
-namespace machine { struct Flywheel; struct RunUp; struct Disc; }
+namespace machine { struct Flywheel; struct RunUp; struct Motion; struct Disc; }
 namespace bearing { struct Rolling; }
 namespace pin { struct Joint; struct Lug; struct En1993; struct Cross; }
 namespace link { struct Member; }
@@ -139,6 +140,7 @@ static constexpr std::array all{
     Row{&erased<dynamics::Lift>},
     Row{&erased<machine::Flywheel>, &machine::make_flywheel_step},
     Row{&erased<machine::RunUp>},
+    Row{&erased<machine::Motion>, &machine::make_motion_step},
     Row{&erased<machine::Disc>},
     Row{&erased<bearing::Rolling>},
     Row{&erased<pin::Joint>},

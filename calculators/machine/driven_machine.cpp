@@ -9,7 +9,7 @@ namespace loadpath::machine {
 
 namespace {
 
-constexpr int law_samples = 720;
+constexpr int law_samples = 360;
 
 std::vector<Sample> samples_of_law(const Law& law, double period) {
   std::vector<Sample> samples;

@@ -314,6 +314,8 @@ const Law motion[] = {
     {"machine.disc", "", "D = \"1000 mm\"\nd_i = \"200 mm\"\nb = \"80 mm\"", "sigma_rm", 4},
     {"machine.disc", "", "D = \"1000 mm\"\nd_i = \"200 mm\"\nb = \"80 mm\"", "J_z", 32},
     {"machine.run_up", "", R"(parts = [{ J = "0.1 kg*m^2" }, { J = "7.2 kg*m^2", u = 0.5 }])", "t", 2},
+    {"machine.motion", "J_of_phi = \npoints = \nM = \"20 N*m\"", R"(M = "40 N*m")", "A_L", 2},
+    {"machine.motion", "", R"(M_K = "84 N*m")", "M_start", 2},
     {"machine.run_up", "load = ",
      "load = \nmotor = [[\"0 rpm\", \"90 N*m\"], [\"1000 rpm\", \"120 N*m\"], [\"1400 rpm\", \"80 N*m\"]]", "t", 0.5},
 };
@@ -593,6 +595,7 @@ const Trend trends[] = {
     {"bearing.rolling", "C_req", falls, "a_1", {"0.25", "0.64", "1"}},
     {"machine.disc", "sigma_ti", rises, "d_i", {R"("1 mm")", R"("50 mm")", R"("200 mm")", R"("490 mm")"}},
     {"machine.flywheel", "J_F", falls, "delta", {"0.005", "0.01", "0.02", "0.05"}},
+    {"machine.motion", "delta", falls, "J_F", {R"("15 kg*m^2")", R"("20 kg*m^2")", R"("30 kg*m^2")", R"("60 kg*m^2")"}},
     {"machine.run_up",
      "t",
      rises,

@@ -824,6 +824,13 @@ const Case motion[] = {
     {"machine.disc", "", "m", 7850 * 0.04 * pi * 0.06},
     {"machine.disc", "", "J_z", 7850 * 0.04 * pi * 0.06 * (0.0625 + 0.0025) / 2},
     {"machine.disc", "", "v_a", 50 * pi},
+    // a straight motor of 120 N m and 100 rpm at the crank carries a constant load of 60 N m at half of its speed
+    {"machine.motion",
+     "points = \nJ_of_phi = \nM_K = \ns_K = \nM_A = \"10 N*m\"\nn_0 = \"1200 rpm\"\neta = 1\nM = \"60 N*m\"", "n_m",
+     50 * pi / 30},
+    {"machine.motion",
+     "points = \nJ_of_phi = \nM_K = \ns_K = \nM_A = \"10 N*m\"\nn_0 = \"1200 rpm\"\neta = 1\nM = \"60 N*m\"", "P_L",
+     60 * 50 * pi / 30},
     {"machine.run_up",
      "parts = [{ J = \"1 kg*m^2\" }]\nmotor = [[\"0 rpm\", \"10 N*m\"], [\"1400 rpm\", \"10 N*m\"]]\nload = ", "t",
      1400 * pi / 30 / 10},

@@ -502,6 +502,11 @@ const Side v_belts[] = {
     {"belt.v_sizing", "drives", over, "P", R"("200 kW")", R"("300 kW")"},
 };
 
+// At the crank 120 N m at rest and 100 rpm without load; then with a constant load of half of that, on 20 kg m^2.
+const char* const straight_motor =
+    "points = \nJ_of_phi = \nM_K = \ns_K = \nJ_M = \nM_A = \"10 N*m\"\nn_0 = \"1200 rpm\"\neta = 1";
+const char* const carrying_motor =
+    "points = \nJ_of_phi = \nM_K = \ns_K = \nJ_M = \nM_A = \"10 N*m\"\nn_0 = \"1200 rpm\"\neta = 1\nM = \"60 N*m\"";
 const Side motion[] = {
     // arcs of 60, 40, 50 and 80 deg close up to 95.843 deg, where coupler and output are in line: cos(diagonal) = 0
     {"motion.spherical_four_bar", "u_c", over, "phi_b", R"("95.8 deg")", R"("95.9 deg")",
@@ -525,6 +530,15 @@ const Side motion[] = {
     {"machine.flywheel", "u_v", over, "v_adm", R"("18.9 m/s")", R"("18.8 m/s")", R"(D = "2 m")"},
     {"machine.disc", "u_v", over, "S", "2.792", "2.793"},
     {"machine.disc", "x_b", outside, "b", R"("125 mm")", R"("126 mm")"},
+    {"machine.motion", "u_A", over, "M", R"("119 N*m")", R"("121 N*m")", straight_motor},
+    {"machine.motion", "u_S", over, "M", R"("119 N*m")", R"("121 N*m")", straight_motor},
+    {"machine.motion", "x_n", outside, "motor", R"([["0 rpm", "10 N*m"], ["601 rpm", "4.99 N*m"]])",
+     R"([["0 rpm", "10 N*m"], ["599 rpm", "5.01 N*m"]])",
+     "points = \nJ_of_phi = \nM_K = \ns_K = \nn_0 = \neta = 1\nM = \"60 N*m\""},
+    {"machine.motion", "u_K", over, "J_F", R"("20 kg*m^2")", R"("8 kg*m^2")"},
+    {"machine.motion", "u_delta", over, "delta_adm", "0.2", "0.01"},
+    {"machine.motion", "u_t", over, "t_adm", R"("9.25 s")", R"("9.24 s")", carrying_motor},  // tau ln 200 = 9.2473 s
+    {"machine.motion", "u_M", over, "M_n", R"("5.01 N*m")", R"("4.99 N*m")", carrying_motor},
     {"machine.run_up", "u_M", over, "load", R"([["0 rpm", "2 N*m"], ["1400 rpm", "39.9 N*m"]])",
      R"([["0 rpm", "2 N*m"], ["1400 rpm", "40.1 N*m"]])"},
     {"machine.run_up", "u_t", over, "t_adm", R"("3.71 s")", R"("3.7 s")"},

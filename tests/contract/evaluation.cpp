@@ -23,8 +23,8 @@ std::size_t offset_of(const Record& record, const Leaf& leaf) {
 /// A history is counted, a law is followed from corner to corner, a motion step by step: what they consist of is
 /// gathered first.
 bool gathers(const Calculator& c) {
-  constexpr std::array ids{"fatigue.history", "dynamics.force", "dynamics.impulse",
-                           "dynamics.motion", "motion.point",   "motion.rotation"};
+  constexpr std::array ids{"fatigue.history", "dynamics.force", "dynamics.impulse", "dynamics.motion",
+                           "machine.motion",  "motion.point",   "motion.rotation"};
   return std::ranges::find(ids, std::string_view(c.id)) != ids.end();
 }
 

@@ -94,6 +94,7 @@ constexpr std::array takes_alone{
     Reason{"dynamics.work", of_a_body},
     Reason{"mechanism.planar", of_a_body},
     Reason{"machine.flywheel", of_energy},
+    Reason{"machine.motion", of_energy},
     Reason{"motion.universal_joint", of_a_drive},
     Reason{"motion.spherical_four_bar", of_a_drive},
     Reason{"fatigue.cycle", of_stress},

@@ -116,7 +116,7 @@ s_K = 0.2
           .may_be_missing(),
       FormulaField{&Input::J_of_phi, "J_of_phi", "reduced moment of inertia as a formula of the crank angle phi"}
           .may_be_missing(),
-      Field{&Input::period, "period", deg, "period of formulas and points"}.positive().usually(10, 360e3),
+      Field{&Input::period, "period", deg, "period of formulas and points"}.positive().usually(10, 1e7),
       Field{&Input::phi_0, "phi_0", deg, "crank angle at the start from rest"}.within(-360e3, 360e3),
       Field{&Input::J_F, "J_F", kg_m2, "moment of inertia of flywheel and all that turns with the crank"}.at_least(0),
       Field{&Input::J_M, "J_M", kg_m2, "moment of inertia of rotor and all that turns with the motor"}.at_least(0),

@@ -127,7 +127,10 @@ class RunUpToSteady {
       const std::size_t n = starts_.size();
       if (n < 3) continue;
       const double a = starts_[n - 3].E, b = starts_[n - 2].E, c = starts_[n - 1].E;
-      if (std::abs(c - b) <= 1e-12 * c) return FixedPoint{c, 1e-12};
+      // Smaller changes are rounding, and say nothing about the rate of convergence.
+      if (std::abs(b - a) > 1e-8 * c) rate_ = std::abs(c - b) / std::abs(b - a);
+      const double error = std::abs(c - b) / (1.0 - rate_);
+      if (rate_ < 1.0 && error <= 1e-9 * c) return FixedPoint{c, error / c};
       if (std::abs(c - b) > nearly_steady * c || k % 16 != 0) continue;
       const auto fixed = fixed_point(map_, a, b, b, c);
       if (fixed && is_reached(map_, c, fixed->E)) return fixed;
@@ -181,6 +184,7 @@ class RunUpToSteady {
   const Machine& machine_;
   CycleMap map_;
   bool records_;
+  double rate_ = 0.0;  // at which the changes from cycle to cycle decrease
   MachineRun run_;
   std::vector<RunState> starts_;  // at the beginnings of the cycles of the run-up
 };

@@ -1,0 +1,97 @@
+#include "calculators/machine/periodic_cells.hpp"
+#include "tests/calculators/motion/solved.hpp"
+
+#include <array>
+
+using namespace loadpath::test;
+using loadpath::account::State;
+
+namespace {
+
+SolvedStep machine(const std::string& lines) { return {"machine.motion", lines}; }
+
+// 120 N m at rest, straight to zero at 100 rpm
+const std::string straight = "M_A = \"120 N*m\"\nn_0 = \"100 rpm\"\n";
+const double tau = 20.0 * (100.0 * 3.141592653589793 / 30.0) / 120.0;  // of 20 kg m^2
+
+}  // namespace
+
+TEST_SUITE("machine motion") {
+  TEST_CASE("a straight motor runs up a constant load as an exponential of the time") {
+    const auto r = machine(straight + "J_F = \"20 kg*m^2\"\nM = \"60 N*m\"\n");
+    CHECK(near(r("t_E"), tau * std::log(200.0), 1e-6));
+    CHECK(near(r("turns"), (tau * std::log(200.0) - tau * 0.995) * 5.0 / 6.0, 1e-6));
+    CHECK(near(r("n_m"), 50.0 * 3.141592653589793 / 30.0, 1e-8));
+    CHECK(r("delta") < 1e-8);
+  }
+
+  TEST_CASE("rotor and flywheel count with the square of their speeds") {
+    const auto r = machine(
+        "M_A = \"12 N*m\"\nn_0 = \"1000 rpm\"\ni = 10\nJ_F = \"10 kg*m^2\"\nJ_M = \"0.1 kg*m^2\"\nM = \"60 N*m\"\n");
+    CHECK(near(r("J_m"), 20.0));
+    CHECK(near(r("t_E"), tau * std::log(200.0), 1e-6));
+  }
+
+  TEST_CASE("without load the energy keeps, and the speed follows the variable inertia") {
+    const auto r = machine(
+        "M_A = \"0.001 N*m\"\nn_0 = \"100 rpm\"\nM = \"0 N*m\"\nJ_F = \"20 kg*m^2\"\nJ_of_phi = \"2 kg*m^2 - 2 "
+        "kg*m^2*cos(2*phi)\"\n");
+    CHECK(near(r("n_max") / r("n_min"), std::sqrt(24.0 / 20.0), 1e-5));
+  }
+
+  TEST_CASE("a small fluctuation is that of the flywheel's formula: Delta_E/(J omega^2)") {
+    // the motor hardly falls within a cycle: M_L = 60 + 30 sin phi, Delta_E = 60 J
+    const auto r = machine(straight + "J_F = \"2000 kg*m^2\"\nM_of_phi = \"60 N*m + 30 N*m*sin(phi)\"\n");
+    CHECK(near(r("delta"), 60.0 / (2000.0 * r("n_m") * r("n_m")), 1e-3));
+    CHECK(near(r("A_L"), 120.0 * 3.141592653589793, 1e-9));
+    CHECK(r("x_A") < 1e-6);
+    CHECK(r("x_t") < 1e-5);
+  }
+
+  TEST_CASE("a motor below its load does not start, and one that a peak stops stalls") {
+    const auto stuck = machine(straight + "J_F = \"20 kg*m^2\"\nM = \"121 N*m\"\n");
+    CHECK(stuck.worst() == State::fail);
+    CHECK(near(stuck("u_A"), 121.0 / 120.0));
+    CHECK(std::isnan(stuck("t_E")));
+    const auto stalled = machine(straight +
+                                 "J_F = \"0.1 kg*m^2\"\npoints = [[\"0 deg\", \"0 N*m\"], [\"180 deg\", \"0 "
+                                 "N*m\"], [\"180 deg\", \"200 N*m\"], [\"360 deg\", \"200 N*m\"]]\n");
+    CHECK(stalled.worst() == State::fail);
+    CHECK(near(stalled("u_S"), 200.0 / 120.0));
+    CHECK(std::isnan(stalled("delta")));
+  }
+
+  TEST_CASE("an induction motor by its rated values has the breakdown slip of Kloss") {
+    const std::string lines = "M = \"10 N*m\"\nJ_F = \"1 kg*m^2\"\nM_K = \"40 N*m\"\nn_0 = \"1500 rpm\"\n";
+    // s_n = 0.04, M_K/M_n = 2.5: s_K = 0.04 (2.5 + sqrt(5.25)) = 0.191651514
+    const auto rated = machine(lines + "M_n = \"16 N*m\"\nn_n = \"1440 rpm\"\n");
+    CHECK(near(rated("M_start"), machine(lines + "s_K = 0.19165151389911679\n")("M_start"), 1e-12));
+    CHECK(near(machine(lines + "s_K = 0.19165151389911679\nM_n = \"16 N*m\"\n")("u_M"), 10.0 / 16.0, 1e-6));
+  }
+
+  TEST_CASE("slopes of even samples are those of the curve through five of them") {
+    using namespace loadpath::machine;
+    std::vector<Sample> samples;
+    const double period = 2.0 * 3.141592653589793;
+    for (int k = 0; k < 180; ++k) samples.push_back({period * k / 180, std::sin(2.0 * period * k / 180)});
+    add_slopes(samples, period);
+    for (const Sample& sample : samples) CHECK(std::abs(sample.slope - 2.0 * std::cos(2.0 * sample.phi)) < 2e-6);
+    double area = 0.0, fall = 0.0;
+    for (const PeriodCell& cell : period_cells(samples, samples, 3.0, period, 1.0))
+      area += cell.width * cell.J.integral(), fall += cell.M.v_1 - cell.M.v_0;
+    CHECK(near(area, 3.0 * period, 1e-9));
+    CHECK(std::abs(fall) < 1e-12);
+  }
+
+  TEST_CASE("inputs that contradict each other are refused with the reason") {
+    check_refusals("machine.motion",
+                   {{"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\n", "give the load once"},
+                    {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nM = \"1 N*m\"\n", "moment of inertia of the flywheel"},
+                    {"M_A = \"1 N*m\"\nJ_F = \"1 kg*m^2\"\nM = \"1 N*m\"\n", "give the motor once"},
+                    {"M_K = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM = \"1 N*m\"\n", "breakdown slip"},
+                    {"motor = [[\"9 rpm\", \"2 N*m\"], [\"12 rpm\", \"1 N*m\"]]\nJ_F = \"1 kg*m^2\"\nM = \"1 N*m\"\n",
+                     "rising speeds, from 0"},
+                    {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM_of_phi = \"1 N*m*phi/(1 rad)\"\n",
+                     "does not repeat"}});
+  }
+}

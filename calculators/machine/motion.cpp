@@ -118,8 +118,8 @@ double work_at_crank(const DrivenMachine& machine, const MachineRun& run) {
 }
 
 template <class Tracer>
-void take_works(const Motion::Input& in, const DrivenMachine& machine, const MachineRun& run, Motion::Result& r,
-                Tracer& trace) {
+void take_works(const Motion::Input& in, const DrivenMachine& machine, const MachineRun& run, const Extremes& e,
+                Motion::Result& r, Tracer& trace) {
   double load = 0.0;
   for (const PeriodCell& cell : machine.cells) load += cell.width * cell.M.integral();
   const RunState& end = run.cycle.back();
@@ -130,7 +130,7 @@ void take_works(const Motion::Input& in, const DrivenMachine& machine, const Mac
   if (is_set(in.n_0)) r.Q = trace.value("Q", end.slip_heat * J, "integral of the torque times the slip speed");
   STEP_TO(r, P_M, r.A_M / r.t_c, "mean power at the shaft of the motor");
   STEP_TO(r, P_L, r.A_L / r.t_c, "mean power of the load");
-  const double scale = std::max({std::abs(end.A_shaft), std::abs(load), 1e-12 * run.cycle.front().E});
+  const double scale = std::max({std::abs(end.A_shaft), std::abs(load), e.E_max - e.E_min, 1e-12 * e.E_max});
   r.x_A = trace.value("x_A", std::abs(in_si(A_K) - load) / scale, "theorem of kinetic energy: no change in a cycle");
   r.x_t = trace.value("x_t", run.by_time, "angle and speed over the time, J epsilon + J' omega^2/2 = M, [B36]");
 }
@@ -169,7 +169,7 @@ Motion::Result Motion::evaluate(const Input& in, Tracer& trace) {
   take_run_up(in, run, r, trace);
   take_speeds(in, machine, e, r, trace);
   take_torques(in, run.cycle.back(), e, r, trace);
-  take_works(in, machine, run, r, trace);
+  take_works(in, machine, run, e, r, trace);
   take_states(machine, run, in, r);
   return r;
 }

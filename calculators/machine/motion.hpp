@@ -204,7 +204,8 @@ s_K = 0.2
       Field{&Result::Q, "Q", J, "heat by the slip of the motor in a cycle"}.where_it_applies(),
       Field{&Result::P_M, "P_M", W, "mean power of the motor at its shaft"},
       Field{&Result::P_L, "P_L", W, "mean power of the load"},
-      Field{&Result::x_A, "x_A", ratio, "energy balance of the cycle: what the works leave over, of that of the motor"},
+      Field{&Result::x_A, "x_A", ratio,
+            "energy balance of the cycle: what the works leave over, of the work or the swing of the energy"},
       Field{&Result::x_t, "x_t", ratio, "difference of the steady cycle from its integration over the time"},
       Field{&Result::x_n, "x_n", ratio, "maximum speed of the motor over the last one of its line"}
           .limit(0, 1)

@@ -124,7 +124,7 @@ constexpr std::array all{
     NotIncluded{"electric motors: selection and heating",
                 "motor selection, electric motor, servo motor, Motorauswahl, Elektromotor, выбор двигателя, "
                 "электродвигатель",
-                "machine.run_up, machine.flywheel, drive.train"},
+                "machine.motion, machine.run_up, machine.flywheel, drive.train"},
     NotIncluded{"concrete and timber structures", "concrete, timber, wood, Beton, Holz, бетон, древесина",
                 "column.buckling, section.built_up"}};
 

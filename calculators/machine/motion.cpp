@@ -51,7 +51,7 @@ void take_run_up(const Motion::Input& in, const MachineRun& run, Motion::Result&
   STEP_TO(r, u_t, r.t_E / in.t_adm, "time of the run-up over the permissible one");
 }
 
-/// Extremes among the borders of the cells, which lie close.
+/// Extremes over the cycle; of the energy among the borders of the cells, which lie close.
 struct Extremes {
   double omega_max = 0.0, omega_min = std::numeric_limits<double>::infinity(), phi_max = 0.0, phi_min = 0.0;
   double M_max = -std::numeric_limits<double>::infinity(), M_min = -M_max;
@@ -62,13 +62,29 @@ double inertia_at_border(const DrivenMachine& machine, std::size_t k) {
   return k == 0 ? machine.cells.front().J.v_0 : machine.cells[k - 1].J.v_1;
 }
 
+/// The speed across a cell, by its values and slopes at both ends.
+CellCubic speed_across(const DrivenMachine& machine, const MachineRun& run, std::size_t k) {
+  const PeriodCell& cell = machine.cells[k];
+  const auto change = [&](double u, double omega) {
+    const double inertia = 0.5 * cell.J.slope(u) * omega * omega;
+    return (cell.width * (machine.drive(omega) - cell.M.at(u)) - inertia) / (cell.J.at(u) * omega);
+  };
+  const double from = speed_of(run.cycle[k].E, cell.J.v_0), to = speed_of(run.cycle[k + 1].E, cell.J.v_1);
+  return {from, to, change(0.0, from), change(1.0, to)};
+}
+
 Extremes extremes_of(const DrivenMachine& machine, const MachineRun& run) {
+  constexpr int places = 16;  // in a cell
   Extremes e;
   for (std::size_t k = 0; k < machine.cells.size(); ++k) {
-    const double omega = speed_of(run.cycle[k].E, inertia_at_border(machine, k)), M = machine.motor_at(omega);
-    if (omega > e.omega_max) e.omega_max = omega, e.phi_max = machine.cells[k].from;
-    if (omega < e.omega_min) e.omega_min = omega, e.phi_min = machine.cells[k].from;
-    e.M_max = std::max(e.M_max, M), e.M_min = std::min(e.M_min, M);
+    const CellCubic speed = speed_across(machine, run, k);
+    for (int n = 0; n < places; ++n) {
+      const double u = static_cast<double>(n) / places, omega = speed.at(u), M = machine.motor_at(omega);
+      const double phi = machine.cells[k].from + u * machine.cells[k].width;
+      if (omega > e.omega_max) e.omega_max = omega, e.phi_max = phi;
+      if (omega < e.omega_min) e.omega_min = omega, e.phi_min = phi;
+      e.M_max = std::max(e.M_max, M), e.M_min = std::min(e.M_min, M);
+    }
     e.E_max = std::max(e.E_max, run.cycle[k].E), e.E_min = std::min(e.E_min, run.cycle[k].E);
   }
   return e;

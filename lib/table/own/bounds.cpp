@@ -1,5 +1,6 @@
 // References for checking the rows of a project: the rows themselves, the built-in row that they replace, their
 // group.
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/table/library.hpp"
 #include "lib/table/own/own.hpp"
@@ -19,6 +20,7 @@ constexpr double rounding_of_rows = 1.005;
 constexpr double beyond_group = 1.5;  // over the largest, or below the least, of the rows of a group
 constexpr double beyond_twins = 1.3;  // over the largest of the rows of one kind and size: ratings of other makers
 constexpr double below_twins = 2.0;   // below the least of these: not a fault of units
+constexpr double MPa = 1e6;
 
 /// Integer powers of a dimension; none for temperatures and angles.
 struct Powers {
@@ -82,11 +84,25 @@ struct Span {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
 };
 
-/// The largest value of a column, at any size, that the built-in rows have.
-double strongest(std::string_view group, std::string_view key) {
+/// The families of materials whose strength ends far below that of steels, by a word of their kinds.
+constexpr std::array<std::string_view, 5> families{"aluminium", "copper", "grey iron", "ductile iron", "titanium"};
+
+/// The family of a row by its kind, or by its modulus that of light metals; empty for steels and unknown materials.
+std::string_view family_of(const Row& row) {
+  constexpr double most_of_light_metals = 80e9;  // Pa
+  const auto has = [&](std::string_view word) { return row.kind.find(word) != std::string::npos; };
+  if (has("bronze") || has("brass")) return "copper";
+  const auto found = std::ranges::find_if(families, has);
+  if (found != families.end()) return *found;
+  return searched_value(row, "E") < most_of_light_metals ? "aluminium" : "";
+}
+
+/// The largest strength, at any size, that the built-in materials of a family have.
+double strongest(std::string_view group, std::string_view key, std::string_view family) {
   double most = 0.0;
   for (const Table* table : tables_of(group)) {
     for (const Row& row : table->rows) {
+      if (!family.empty() && family_of(row) != family) continue;
       for (const double size : sizes_in(row)) most = std::fmax(most, value_at({table, &row}, key, size));
     }
   }
@@ -146,7 +162,7 @@ void OwnReader::check_bounds(const Row& row, const Table& table, const Place& pl
   }
 }
 
-/// The yield strength is not above the tensile strength, and no strength far above that of any built-in material.
+/// The yield strength is not above the tensile strength, and no strength far above that of its family.
 void OwnReader::check_strengths(const RowRead& read, std::vector<std::string>& used) {
   if (read.table.column("R_e") == nullptr || read.table.column("R_m") == nullptr) return;
   const Entry entry{&read.table, &read.row};
@@ -164,17 +180,21 @@ void OwnReader::check_strengths(const RowRead& read, std::vector<std::string>& u
 
 void OwnReader::check_strength(const RowRead& read, const char* key, std::vector<std::string>& used) {
   const Entry entry{&read.table, &read.row};
-  const double most = beyond_group * strongest(read.table.group, key);
+  const std::string_view family = family_of(read.row);
+  const double of_tables = strongest(read.table.group, key, family);
+  const double customary = MPa * (std::string_view(key) == "R_e" ? most_yield_strength : most_tensile_strength);
+  const double most = family.empty() || of_tables == 0.0 ? std::fmax(of_tables, customary)
+                                                         : std::fmin(beyond_group * of_tables, customary);
   double own = no_size;
   for (const double size : sizes_in(read.row)) own = std::fmax(own, value_at(entry, key, size));
   if (!(own > most) || std::find(used.begin(), used.end(), key) != used.end()) return;
   used.emplace_back(key);
   if (read.row.because.contains(key)) return;
-  complain(
-      read.place, read.key + "." + key,
-      say("{1} = {2} of '{3}' is far above that of any {4} of the tables: {5}", key, format_quantity(own, "MPa", 5),
-          read.row.name, read.table.group, format_quantity(most / beyond_group, "MPa", 4)),
-      say("check the unit, or justify it: because.{1} = \"data sheet of the manufacturer\"", key));
+  complain(read.place, read.key + "." + key,
+           say("{1} = {2} of '{3}' is above what {4} usually have: {5}", key, format_quantity(own, "MPa", 5),
+               read.row.name, family.empty() ? say("steels") : say("materials of this kind ({1})", std::string(family)),
+               format_quantity(most, "MPa", 4)),
+           say("check the unit, or justify it: because.{1} = \"data sheet of the manufacturer\"", key));
 }
 
 void OwnReader::check_shape(const RowRead& read) {

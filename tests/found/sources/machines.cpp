@@ -103,6 +103,26 @@ TEST_SUITE("found machines") {
     CHECK(state(unknown + lug("cheek"), "cheek", "net") == "not-judged");
   }
 
+  TEST_CASE("a rod that pulls across the plate of a crank, pin by EN 1993") {
+    const std::string machine =
+        press("press", "8 kN") +
+        "[rod]\ncalculator = \"link.member\"\nload = \"=press.links.rod\"\nh = \"40 mm\"\nb = \"20 mm\"\nends = "
+        "\"pinned_pinned\"\nmaterial = \"S235\"\nmethod = \"johnson\"\nn_st = 3\nS = 2\n\n";
+    const auto plates = [&](const std::string& joint, const std::string& t_1, const std::string& more = "") {
+      return machine + "[pin]\ncalculator = \"pin.en1993\"\nload = \"=press.joints." + joint +
+             "\"\ngamma_F = 1.5\ngamma_M0 = 1\ngamma_M2 = 1.25\nd = \"30 mm\"\nd_0 = \"31 mm\"\nt_1 = \"" + t_1 +
+             "\"\nt_2 = \"15 mm\"\nc = \"2 mm\"\nf_yp = \"355 MPa\"\nf_up = \"490 MPa\"\nf_y_1 = \"235 "
+             "MPa\"\nf_y_2 = \"235 MPa\"\ne_a1 = \"60 mm\"\ne_c1 = \"50 mm\"\ne_a2 = \"60 mm\"\ne_c2 = \"50 mm\"\n" +
+             more;
+    };
+    CHECK(state(plates("B", "20 mm"), "pin", "plate_1") == "pass");
+    CHECK(state(plates("B", "20 mm"), "pin", "plate_2") == "pass");
+    CHECK(state(plates("A", "=rod.b"), "pin", "plate_2") == "not-judged");  // the middle plate is that of the rod
+    CHECK(state(plates("A", "20 mm"), "pin", "plate_1") == "not-judged");
+    CHECK(state(plates("A", "=rod.b", "because.e_a2 = \"60 mm on all sides of the bore\"\n"), "pin", "plate_2") ==
+          "pass");
+  }
+
   TEST_CASE("a heavier load case of the same joints that no step takes") {
     const std::string taken = press("press", "8 kN") + pin("load = \"=press.joints.B\"\n");
     CHECK(state(press("jam", "80 kN") + taken, "pin", "bending") == "not-judged");

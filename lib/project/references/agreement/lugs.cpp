@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,11 @@ constexpr double most_across = 0.0872;
 
 bool is_lug(const Step& step) {
   return step.input().calculator != nullptr && step.input().calculator->id == std::string_view("pin.lug");
+}
+
+/// Whether it assesses plates by their distances along and across the force.
+bool has_plates(const Step& step) {
+  return step.input().calculator != nullptr && step.input().calculator->id == std::string_view("pin.en1993");
 }
 
 /// The input of a pin joint that is the thickness of this part of it.
@@ -58,15 +64,8 @@ class LugCheck {
   LugCheck(const Step& lug, const Project& project) : lug_(lug), project_(project), at_(place_of_lug(lug, project)) {}
 
   std::vector<ReducedLoad> run() {
-    const auto [name, rest] = split_step(at_.joint);
-    const Step* const mechanism = at_.joint.empty() ? nullptr : project_.find(name);
-    if (mechanism == nullptr || mechanism->input().reading.record.data == nullptr) return {};
-    mechanism_ = name;
-    for (const int k : {0, 1}) {
-      const Leaf leaf =
-          find_leaf(mechanism->input().reading.record, rest + ".links." + std::string(k == 0 ? "first" : "second"));
-      if (leaf && leaf.field->text != nullptr) links_[static_cast<std::size_t>(k)] = leaf.field->text(leaf.owner);
-    }
+    if (!find_links()) return {};
+    if (has_plates(lug_)) return of_plates();
     const int own = own_link();
     for (const int k : {0, 1}) {
       if ((own == k || (own < 0 && is_on_either(k))) && is_crossed(k)) return {held(k)};
@@ -75,6 +74,40 @@ class LugCheck {
   }
 
  private:
+  /// The links of the joint; false if it is of no mechanism.
+  bool find_links() {
+    const auto [name, rest] = split_step(at_.joint);
+    const Step* const mechanism = at_.joint.empty() ? nullptr : project_.find(name);
+    if (mechanism == nullptr || mechanism->input().reading.record.data == nullptr) return false;
+    mechanism_ = name;
+    for (const int k : {0, 1}) {
+      const Leaf leaf =
+          find_leaf(mechanism->input().reading.record, rest + ".links." + std::string(k == 0 ? "first" : "second"));
+      if (leaf && leaf.field->text != nullptr) links_[static_cast<std::size_t>(k)] = leaf.field->text(leaf.owner);
+    }
+    return true;
+  }
+
+  /// End and edge distances of the plate of a link that the force crosses; of unknown plates those of both.
+  [[nodiscard]] std::vector<ReducedLoad> of_plates() const {
+    const std::array<int, 2> found{link_behind(lug_, "t_1"), link_behind(lug_, "t_2")};
+    std::vector<ReducedLoad> held;
+    for (const std::size_t plate : {0U, 1U}) {
+      const int known = found[plate] >= 0 ? found[plate] : found[1 - plate] >= 0 ? 1 - found[1 - plate] : -1;
+      const std::string end = plate == 0 ? "e_a1" : "e_a2";
+      for (const int k : {0, 1}) {
+        if ((known >= 0 && known != k) || !is_crossed(k) || std::isnan(own_value(lug_, project_, end))) continue;
+        held.push_back(
+            {end, say("force across the plate: '{1}' has up to {2} across the axis of link '{3}', and {4} is the end "
+                      "distance along the force: assess this separately and say how: {5} = \"...\"",
+                      at_.joint, format_quantity(across(k), "kN", 3), links_[static_cast<std::size_t>(k)], end,
+                      because_key(end))});
+        break;
+      }
+    }
+    return held;
+  }
+
   [[nodiscard]] double across(int k) const {
     return magnitude_at(project_, at_.joint + ".F_t" + std::to_string(k + 1));
   }
@@ -152,7 +185,7 @@ class LugCheck {
 }  // namespace
 
 std::vector<ReducedLoad> forces_across_lugs(const Step& step, const Project& project) {
-  return is_lug(step) ? LugCheck(step, project).run() : std::vector<ReducedLoad>{};
+  return is_lug(step) || has_plates(step) ? LugCheck(step, project).run() : std::vector<ReducedLoad>{};
 }
 
 }  // namespace loadpath::project

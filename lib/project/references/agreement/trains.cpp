@@ -108,9 +108,10 @@ bool is_taken_behind(const Step& train, std::size_t number, const Project& proje
   return found;
 }
 
-/// The efficiency of a stage next to that of the mesh of its worm gear: bearings and seals take a little of it.
+/// The efficiency of a stage next to that of the mesh of its worm gear: bearings and seals take a little of it. One a
+/// little above it, rounded or of a catalogue, loads the parts behind more.
 void compare_worms(const Step& train, const Project& project, std::vector<ReducedLoad>& found) {
-  constexpr double least_alone = 0.85, least_in_front = 0.98, most = 1.02;  // of the efficiency of the mesh
+  constexpr double least_alone = 0.85, least_in_front = 0.98, most = 1.06;  // of the efficiency of the mesh
   const Record& record = train.input().reading.record;
   const FieldInfo* const stages = find_field(record.type->fields, "stages");
   for (std::size_t i = 0; stages != nullptr && i < stages->size(record.data.get()); ++i) {

@@ -175,11 +175,11 @@ bool may_vary(const Project& project, const std::string& path, const std::set<st
   return is_known && (reading.record.data == nullptr || !find_leaf(reading.record, rest));
 }
 
-/// Whether the step is compared with other statements of the project by numbers that vary.
+/// Whether numbers that vary decide if an input needs a reason: typed values, other steps, what the project states.
 bool compares_with_others(const Step& step, const Project& project, const std::set<std::string>& affected) {
   if (compares_numbers(step, project)) return true;
   const NotedReads reads;
-  compared_statements(step, project);
+  contradictions(step, project);
   return std::ranges::any_of(reads.paths(), [&](const auto& path) { return may_vary(project, path, affected); });
 }
 

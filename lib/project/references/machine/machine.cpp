@@ -27,13 +27,6 @@ std::vector<ReducedLoad> stated_and_not_taken(const Step& step, const Project& p
   return all;
 }
 
-std::vector<ReducedLoad> compared_statements(const Step& step, const Project& project) {
-  std::vector<ReducedLoad> all = statements_in_disagreement(step, project);
-  const auto stated = stated_and_not_taken(step, project);
-  all.insert(all.end(), stated.begin(), stated.end());
-  return all;
-}
-
 std::vector<ReducedLoad> contradictions(const Step& step, const Project& project) {
   std::vector<ReducedLoad> all;
   for (const auto& found :

@@ -8,10 +8,6 @@ namespace loadpath::project {
 /// What the project states and no step takes, next to this step: loads, load cases, repetitions, limits.
 std::vector<ReducedLoad> stated_and_not_taken(const Step& step, const Project& project);
 
-/// The same, and motors, stages of trains, lengths and lugs that disagree with this step: numbers that a sweep may
-/// vary.
-std::vector<ReducedLoad> compared_statements(const Step& step, const Project& project);
-
 /// What the other steps contradict, as far as they are solved.
 std::vector<ReducedLoad> contradictions(const Step& step, const Project& project);
 

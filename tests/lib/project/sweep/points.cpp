@@ -187,6 +187,19 @@ TEST_SUITE("points of a sweep") {
     check_in_either_order(wheels + "#\n" + train("\"1.5 kW\""), "\"1.5 kW\"", "\"0.7 kW\"");
   }
 
+  TEST_CASE("a value that needs a reason at some points only, typed and by [values]") {
+    const auto column = [](const std::string& rho) {
+      return "[column]\ncalculator = \"column.stepped\"\nfoot = \"fixed\"\ntop = \"free\"\nparts = [{ name = "
+             "\"lower\", "
+             "l = \"3 m\", d = \"160 mm\", P = \"100 kN\" }, { name = \"upper\", l = \"2 m\", d = \"125 mm\", P = \"60 "
+             "kN\" }]\nE = \"210 GPa\"\nR_e = \"235 MPa\"\nn_st = 2.5\nrho = " +
+             rho + "\n";
+    };
+    check_in_either_order(column("#"), "\"7850 kg/m^3\"", "\"2355 kg/m^3\"");
+    check_in_either_order(column("\"=values.rho_s\"") + "\n[values]\nrho_s = #\n", "\"7850 kg/m^3\"",
+                          "\"2355 kg/m^3\"");
+  }
+
   TEST_CASE("the modes of a key that a stated peak concerns, at every point") {
     const std::string key =
         "[values]\nk_start = 2\n\n[key]\ncalculator = \"shaft.key\"\nT = \"300 N*m\"\ntorque = \"one_way\"\nd = \"50 "

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace loadpath::belt {
@@ -171,6 +172,18 @@ void limit_teeth(const Synchronous::Input& in, Synchronous::Result& r, Tracer& t
 
 /// A wider belt runs unevenly on pulleys that are not parallel; bound set by loadpath.
 double Synchronous::most_width(const Input& in) { return in_si(pitch_diameter(std::min(in.z_1, in.z_2), in.p_b)); }
+
+/// Sections by inch pitches are made in the widths of ISO 5296, as [Optibelt-ZR] lists them.
+double Synchronous::standard_width(const Input& in) {
+  constexpr std::array widths{6.4, 7.9, 9.5, 12.7, 19.1, 25.4, 38.1, 50.8, 76.2, 101.6, 127.0};  // mm
+  constexpr double rounding = 1.005, mm_si = 1e-3;
+  const double b = in_si(in.b);
+  if (!is_set(least_standard_width(in.p_b)) || std::isnan(b)) return std::nan("");
+  const auto next = std::ranges::upper_bound(widths, rounding * b / mm_si);
+  if (next == widths.begin()) return std::nan("");  // narrower than all of them: x_w
+  const double width = *std::prev(next) * mm_si;
+  return b <= rounding * width ? b : width;
+}
 
 /// The sections of the table have 1.0 to 2.2 N/mm^2, other profiles up to some 4 N/mm^2, from memory.
 double Synchronous::most_pull(const Input& in) { return in_si(5.0 * MPa * in.p_b * in.b_0); }

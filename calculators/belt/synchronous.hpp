@@ -235,12 +235,14 @@ b = "50.8 mm"
       Rule<Input>{&belt_reaches, "z_B, z_1, z_2", "the belt must reach around both pulleys", &too_few_teeth}};
 
   static double most_width(const Input& in);
+  static double standard_width(const Input& in);
   static double most_pull(const Input& in);
   static double trapezoidal_pitch(const Input& in);
   static double least_centre_distance(const Input& in);
   static double least_belt_teeth(const Input& in);
   static constexpr std::array bounds{
       Bound<Input>{"b", "the smaller pitch diameter", &most_width},
+      Bound<Input>{"b", "the next smaller standard width", &standard_width},
       Bound<Input>{"F_a", "5 N/mm^2 of pitch x base width", &most_pull},
       Bound<Input>{"p_b", "the next trapezoidal profile (3, 8, 14 mm: curvilinear)", &trapezoidal_pitch},
       Bound<Input>{"a", "a wrap of 120 deg", &least_centre_distance}.least(),

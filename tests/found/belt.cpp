@@ -119,6 +119,13 @@ TEST_SUITE("found belt") {
     CHECK(ExampleStep("belt.synchronous", "P = \"0.1 kW\"\nb = \"?\"")("b_s") == doctest::Approx(0.0191));
   }
 
+  TEST_CASE("a synchronous belt has one of the widths that its section is made in") {
+    CHECK(mode_with("belt.synchronous", "P = \"0.1 kW\"\nb = \"40 mm\"", "power") == "not-judged");
+    CHECK(mode_with("belt.synchronous", "P = \"0.1 kW\"\nb = \"38 mm\"", "power") == "pass");  // 38.1 mm
+    CHECK(mode_with("belt.synchronous", "P = \"0.1 kW\"\nb = \"40 mm\"\nbecause.b = \"cut to width\"", "power") ==
+          "pass");
+  }
+
   TEST_CASE("a curvilinear pitch, a pull of no belt and a wide or short drive of synchronous belts need a reason") {
     const std::string own = "synchronous_belt = \nb_0 = \"76.2 mm\"\nm_0 = \"0.447 kg/m\"\n";
     CHECK(mode_with("belt.synchronous", own + "F_a = \"2091 N\"\np_b = \"12.7 mm\"", "power") == "pass");

@@ -99,6 +99,10 @@ bool Cycloidal::has_teeth(const Input& in) {
   return flank.polar(flank.start()) < middle && flank.polar(pi) > middle && flank.distance(pointed_angle(in)) > 0.0;
 }
 
+/// Wheels that drive pins have 8 to 12 teeth and more, and pins 1 to 1.7 modules in diameter; from memory.
+double Cycloidal::least_teeth_of_wheel(const Input& in) { return is_lantern(in) ? 8.0 : std::nan(""); }
+double Cycloidal::least_pins(const Input& in) { return is_lantern(in) ? 0.5 * in_si(in.m) : std::nan(""); }
+
 Applies Cycloidal::leads(const Input& in) {
   constexpr double led_by_wheel = 0.7;
   if (is_lantern(in) || is_set(in.d_p) || !has_teeth(in)) return Applies::no;

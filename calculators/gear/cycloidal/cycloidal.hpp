@@ -9,6 +9,7 @@
 // covered: the addendum of the pinion, which leads before the line of centres, a driving pinion, strength.
 #pragma once
 
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -103,6 +104,12 @@ d_p = "3 mm"
                   "d_p applies to pins only: omit d_p, or give pinion = \"pins\""},
       Rule<Input>{&has_teeth, "d_p, j, m",
                   "pins and backlash must leave teeth of the wheel above its pitch circle: reduce d_p or j"}};
+
+  static double least_teeth_of_wheel(const Input& in);
+  static double least_pins(const Input& in);
+  static constexpr std::array bounds{
+      Bound<Input>{"z_2", "8 teeth, a usual minimum of wheels that drive pins", &least_teeth_of_wheel}.least(),
+      Bound<Input>{"d_p", "half the module, thin pins bend", &least_pins}.least()};
 
   static constexpr std::array modes{
       Mode<Input>{"contact", "contact ratio", [](const Input& in) { return where(is_lantern(in)); }}

@@ -91,6 +91,16 @@ void add_missing_load(const Evaluation& evaluation, const Results& results,
   modes.push_back(std::move(mode));
 }
 
+/// A load that only [values] state, next to gears of geometry only: their modes of strength do not apply without one.
+void add_stated_load(const Evaluation& evaluation, account::Modes& modes) {
+  if (is_loaded(evaluation.inputs())) return;
+  for (const ReducedLoad& value : evaluation.step().loads().reduced) {
+    if (value.path != "m_x" && value.path != "m_et" && value.path != "m_n") continue;
+    modes.push_back(load_to_give(evaluation, value.message));
+    return;
+  }
+}
+
 /// A temperature that only [values] state, of a step without a mode of strength that could show it: a fatigue limit.
 void add_temperature(const Evaluation& evaluation, account::Modes& modes) {
   const auto& all = evaluation.calculator().modes;
@@ -158,6 +168,7 @@ void add_modes(const Evaluation& evaluation, const Results& results, const Weigh
   add_missing_input(evaluation, results, modes);
   add_missing_load(evaluation, results, verdicts, modes);
   add_temperature(evaluation, modes);
+  add_stated_load(evaluation, modes);
   add_handed_on(evaluation, weighed, modes);
   const Calculator& calculator = evaluation.calculator();
   for (std::size_t k = 0; k < calculator.modes.size(); ++k) {

@@ -107,6 +107,103 @@ std::vector<ReducedLoad> loads_stated_otherwise(const Step& step, const Project&
 
 namespace {
 
+/// The module of gears, which may have no load.
+std::string module_of(const Step& step) {
+  for (const char* const key : {"m_x", "m_et", "m_n"}) {
+    if (has_input(step, key)) return key;
+  }
+  return {};
+}
+
+bool is_load(const std::string& name, const Dimension& dimension) {
+  const bool is_peak = is_of_peak(name);
+  if (dimension == of_power) return name == "P" || name == "P_1" || (is_peak && name.starts_with("P_"));
+  if (dimension == of_torque)
+    return name == "T" || name == "T_1" || name == "T_2" || (is_peak && name.starts_with("T_"));
+  return dimension == of_force && name == "F_t";
+}
+
+bool is_loaded_drive(const Step& step, const Project& project) {
+  return is_drive(step) && !load_of(step, project).empty();
+}
+
+/// A torque of a step without a speed on both sides: of a shaft, a key, a press fit; 0 if it has none.
+double single_torque(const Step& step, const Project& project) {
+  if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr || is_drive(step)) return 0.0;
+  const FieldInfo* const T = find_field(step.input().calculator->input->fields, "T");
+  if (T == nullptr || !T->is_load || !(T->dimension == of_torque)) return 0.0;
+  const double most = std::fmax(std::abs(own_value(step, project, "T")), std::abs(own_value(step, project, "T_max")));
+  return std::isnan(most) ? 0.0 : most;
+}
+
+/// Whether the torque is typed, or comes from [values].
+bool is_torque_of_file(const Step& step) {
+  for (const Operand& operand : step.input().reading.operands) {
+    if (operand.path != "T") continue;
+    for (const auto& reference : operand.expression.references()) {
+      if (!reference.path.starts_with("values.")) return false;
+    }
+  }
+  return true;
+}
+
+/// The speed of the step or of [values]; 0 if the file has none, NaN if it cannot be known which one is meant.
+double speed_for(const Step& step, const Project& project) {
+  const double own = std::abs(own_value(step, project, "n"));
+  if (own > 0.0) return own;
+  for (const char* const path : {"values.n", "values.n_1"}) {
+    const double stated = std::abs(magnitude_at(project, path));
+    if (stated > 0.0) return project.values.kind(path + 7) == Meant::frequency ? std::nan("") : stated;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+std::vector<ReducedLoad> loads_of_unloaded_gears(const Step& step, const Project& project) {
+  const std::string module = is_drive(step) ? module_of(step) : std::string();
+  const auto is_loaded = [&](const auto& other) { return is_loaded_drive(*other, project); };
+  if (module.empty() || std::ranges::any_of(project.steps, is_loaded)) return {};
+  std::vector<ReducedLoad> found;
+  for (const auto& [name, value] : project.values.unused()) {
+    if (project.values.kind(name) == Meant::work || !is_load(name, value.signature.dimension)) continue;
+    if (value.si.front() == 0.0) continue;
+    found.push_back(
+        {module, say("values.{1} acts on no step, and the strength of these gears is not assessed without a "
+                     "load: give it here, delete the value, or justify it: because.{2} = \"...\"",
+                     name, module)});
+  }
+  return found;
+}
+
+std::vector<ReducedLoad> powers_of_torques(const Step& step, const Project& project) {
+  const double T = single_torque(step, project);
+  const auto is_loaded = [&](const auto& other) { return is_loaded_drive(*other, project); };
+  if (T == 0.0 || !is_torque_of_file(step) || std::ranges::any_of(project.steps, is_loaded)) return {};
+  const double n = speed_for(step, project);
+  std::vector<ReducedLoad> found;
+  for (const auto& [name, value] : project.values.unused()) {
+    if (value.signature.dimension != of_power || !is_load(name, of_power) || std::isnan(n)) continue;
+    const double P = std::abs(value.si.front()), stated = P / n;
+    const auto carries = [&](const auto& other) { return single_torque(*other, project) >= (1.0 - rounded) * stated; };
+    const bool is_above = stated > (1.0 + rounded) * T && stated <= implausible_ratio * T;
+    if (n > 0.0 && (!is_above || std::ranges::any_of(project.steps, carries))) continue;
+    if (P == 0.0) continue;
+    found.push_back(
+        {"T",
+         n > 0.0 ? say("values.{1} = {2} acts on no step: at {3} it has {4}, and T is {5}: refer to it, delete "
+                       "it, or justify it: because.T = \"...\"",
+                       name, format_quantity(P, "kW", 4), format_quantity(n, "rpm", 4),
+                       format_quantity(stated, "N*m", 4), format_quantity(T, "N*m", 4))
+                 : say("values.{1} = {2} acts on no step, and the file has no speed to compare it with T: write "
+                       "T = \"=values.{1}/values.n\" with n in [values], delete it, or justify it: because.T = \"...\"",
+                       name, format_quantity(P, "kW", 4))});
+  }
+  return found;
+}
+
+namespace {
+
 /// A load that is computed from values of the file only, as a number; NaN if it refers to a step.
 double from_values(const Operand& operand, const Project& project) {
   for (const auto& reference : operand.expression.references()) {

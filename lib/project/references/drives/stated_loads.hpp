@@ -11,6 +11,12 @@ namespace loadpath::project {
 /// own names are compared in machine/left_out.hpp.
 std::vector<ReducedLoad> loads_stated_otherwise(const Step& step, const Project& project);
 
+/// The same next to gears of geometry only, in a project without a loaded drive: their strength is not assessed.
+std::vector<ReducedLoad> loads_of_unloaded_gears(const Step& step, const Project& project);
+
+/// "P = 100 kW" next to a smaller torque at the speed of the step or of [values], or next to a torque without a speed.
+std::vector<ReducedLoad> powers_of_torques(const Step& step, const Project& project);
+
 /// "P = =values.P/values.K_A" in a step that applies this factor again: it has no effect then.
 std::vector<ReducedLoad> factors_cancelled(const Step& step, const Project& project);
 

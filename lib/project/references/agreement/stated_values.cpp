@@ -177,6 +177,8 @@ class StatedCheck {
     return std::string_view(step_.input().calculator->id) == "gear.cycloidal";
   }
 
+  [[nodiscard]] bool is_worm() const { return std::string_view(step_.input().calculator->id) == "gear.worm"; }
+
   /// A torque, a force or a power next to them.
   void compare_load(const Stated& stated, const Dimension& dimension) {
     const bool is_load = dimension == Dimension::of(2, 1, -2) || dimension == Dimension::of(1, 1, -2) ||
@@ -238,6 +240,7 @@ class StatedCheck {
     }
     if (std::string_view(step_.input().calculator->id) == "bearing.rolling") return "C";  // its steel is tempered
     if (std::string_view(step_.input().calculator->id) == "belt.synchronous") return "F_a";
+    if (is_worm()) return "m_x";  // the bronze of its wheel, and the oil
     return material_of(step_).empty() || field("R_e") == nullptr ? "" : "R_e";
   }
 
@@ -256,7 +259,7 @@ class StatedCheck {
     const bool is_temperature = name.starts_with("t_") || name.starts_with("T_") || name.starts_with("theta_");
     const bool is_of_part = (is_temperature && has_word(name, {"service", "operating", "operation", "work", "working",
                                                                "design", "max", "wall", "metal", "part"})) ||
-                            (key == "T_G" && has_word(name, {"oil", "sump"})) ||
+                            ((key == "T_G" || is_worm()) && has_word(name, {"oil", "sump"})) ||
                             has_word(name, {"ambient", "temperature"}) || has_only_words(name, {"t", "theta"});
     if (!(stated.si > most) || !is_of_part || has_word(name, {"join", "joining", "temper", "tempering"})) return;
     if (key.empty() || ((key == "T" || key == "T_G") && own(key) >= stated.si)) return;

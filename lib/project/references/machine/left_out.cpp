@@ -79,6 +79,40 @@ void compare_factor(const Step& step, const Project& project, const std::string&
                 name, format_number(si, 6), key, std::isnan(own) ? "not given" : format_number(own, 6))});
 }
 
+/// A component of the load that a step may be given in addition to others: axial forces, bending moments.
+bool is_component(std::string_view name) {
+  constexpr std::array<std::string_view, 8> names{"F_a", "F_ax", "M_b", "M_y", "M_z", "N", "V", "H"};
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::string_view id_of(const Step& step) {
+  return step.input().calculator == nullptr ? std::string_view() : std::string_view(step.input().calculator->id);
+}
+
+/// A component under the name of an input that is not given, if no other step has it; or a bending moment of a shaft
+/// that is assessed in torsion only.
+void compare_component(const Step& step, const Project& project, const std::string& name, const Value& value,
+                       std::vector<ReducedLoad>& found) {
+  const double si = std::abs(value.si.front());
+  const FieldInfo* const field = find_field(step.input().calculator->input->fields, name);
+  const bool is_input = field != nullptr && is_comparable(*field) && field->dimension == value.signature.dimension;
+  const bool is_bending =
+      name == "M_b" && id_of(step) == "shaft.torsion" && value.signature.dimension == Dimension::of(2, 1, -2);
+  if (si == 0.0 || !(is_input || is_bending)) return;
+  const auto has_it = [&](const auto& other) {
+    if (other.get() == &step || other->input().calculator == nullptr) return false;
+    if (is_bending && (id_of(*other) == "shaft.design" || id_of(*other) == "shaft.overhung")) return true;
+    return other->input().reading.record.data != nullptr && std::abs(own_value(*other, project, name)) >= si;
+  };
+  if (std::ranges::any_of(project.steps, has_it)) return;
+  if (is_bending)
+    return found.push_back({"T", say("values.M_b acts on no step, and bending is not assessed here: replace this with "
+                                     "a step of shaft.design or shaft.overhung, or because.T = \"...\"")});
+  found.push_back({name, say("values.{1} = {2} acts on no step, and {1} is not given here: refer to it, delete it, or "
+                             "justify it: because.{1} = \"...\"",
+                             name, format_quantity(si, field->unit, 4))});
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project) {
@@ -90,6 +124,7 @@ std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project
     const LargestLoad own = largest_load(step, project, name, value.signature.dimension);
     if (project.values.kind(name) == Meant::work) continue;
     if (std::abs(own_value(step, project, name)) >= si) continue;  // it has the value under its own name
+    if (own.path.empty() && is_component(name)) compare_component(step, project, name, value, found);
     if (own.path.empty() || !(si > own.si) || si > implausible_ratio * own.si) continue;
     const std::string key = own.path.substr(0, own.path.find_first_of(".["));
     found.push_back(

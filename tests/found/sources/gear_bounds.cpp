@@ -57,6 +57,25 @@ TEST_SUITE("found gear bounds") {
     CHECK(pitting("[values]\nT_oil = \"90 degC\"\n\n", running) == "pass");
   }
 
+  TEST_CASE("the oil of a worm gear in [values]") {
+    const auto wear = [](const std::string& T_oil) {
+      const std::string values = "[values]\nT_oil = \"" + T_oil + "\"\n\n";
+      return mode_of(solved_as_found(values + std::string(find("gear.worm").example)), "worm", "wear");
+    };
+    CHECK(wear("90 degC") == "pass");
+    CHECK(wear("130 degC") == "not-judged");
+  }
+
+  TEST_CASE("a lantern of many pins that a few teeth drive, and thin pins") {
+    const auto contact = [](const std::string& lines) {
+      return mode_of(solved_as_found("[l]\ncalculator = \"gear.cycloidal\"\npinion = \"pins\"\nm = \"2 mm\"\n" + lines),
+                     "l", "contact");
+    };
+    CHECK(contact("z_1 = 10\nz_2 = 60\nd_p = \"3 mm\"\n") == "pass");
+    CHECK(contact("z_1 = 200\nz_2 = 6\nd_p = \"3 mm\"\n") == "not-judged");
+    CHECK(contact("z_1 = 10\nz_2 = 60\nd_p = \"0.2 mm\"\n") == "not-judged");
+  }
+
   TEST_CASE("friction, form factor and diameter of a worm") {
     CHECK(mode_with("gear.worm", "mu = 0.025", "heat") == "pass");  // 0.027 at 3 m/s
     CHECK(mode_with("gear.worm", "mu = 0.015", "heat") == "not-judged");

@@ -113,6 +113,71 @@ TEST_SUITE("found names of stated values") {
       CHECK_FALSE(is_held(values, wheels, "w", "contact"));
   }
 
+  TEST_CASE("a value under its own name, but for a share that nothing explains") {
+    const auto with_life = [](const std::string& life) {
+      return "[b]\ncalculator = \"bearing.rolling\"\nbearing = \"6308\"\nF_r = \"2 kN\"\nn = \"1000 rpm\"\ns_0 = "
+             "1.5\nL_h = \"" +
+             life + "\"\n";
+    };
+    const auto rated = [&](const std::string& life, const std::string& more = "") {
+      return mode_of(solved_as_found(under("L = \"50000 h\"\nshare = 0.1", with_life(life) + more)), "b", "fatigue");
+    };
+    CHECK(rated("=values.L/10") == "not-judged");
+    CHECK(rated("=values.L/10", "because.L_h = \"exchanged every year\"\n") == "pass");
+    CHECK(rated("=values.share*values.L") == "pass");  // the file states the share
+    const auto shaft = [](const std::string& values, const std::string& lines) {
+      return mode_of(solved_as_found(under(
+                         values, "[s]\ncalculator = \"shaft.torsion\"\nT = \"300 N*m\"\nd = \"60 mm\"\n" + lines)),
+                     "s", "yield");
+    };
+    CHECK(shaft("K_A = 1.5", "tau_adm = \"40 MPa\"\nK_A = \"=values.K_A/1.5\"\n") == "not-judged");
+    CHECK(shaft("K_A = 1.5", "tau_adm = \"40 MPa\"\nK_A = \"=values.K_A\"\n") == "pass");
+    CHECK(shaft("K_A = 1.5", "tau_adm = \"40 MPa\"\nK_A = \"=1.1*values.K_A\"\n") == "pass");
+    CHECK(shaft("R_e = \"250 MPa\"", "S = 2\nR_e = \"=1.4*values.R_e\"\n") == "not-judged");
+    CHECK(shaft("R_e = \"250 MPa\"", "S = 2\nR_e = \"=0.9*values.R_e\"\n") == "pass");
+  }
+
+  TEST_CASE("a power next to a torque: at the speed of [values], and without a speed") {
+    const std::string shaft =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"300 N*m\"\nd = \"60 mm\"\nmaterial = \"C45E\"\nS = 2\n";
+    CHECK(is_held("P = \"100 kW\"\nn = \"1450 rpm\"", shaft, "shaft", "yield"));       // 659 N m
+    CHECK_FALSE(is_held("P = \"40 kW\"\nn = \"1450 rpm\"", shaft, "shaft", "yield"));  // 263 N m
+    CHECK(is_held("P = \"100 kW\"", shaft, "shaft", "yield"));
+    CHECK_FALSE(is_held("P_idle = \"1 kW\"", shaft, "shaft", "yield"));
+    const std::string taken = under("P = \"100 kW\"\nn = \"4000 rpm\"", shaft);
+    CHECK(mode_of(solved_as_found(taken), "shaft", "yield") == "pass");  // 239 N m
+  }
+
+  TEST_CASE("a component of the load that no step takes") {
+    CHECK(is_held("F_a = \"8 kN\"", bearing, "b", "fatigue"));
+    CHECK_FALSE(is_held("F_a = \"0 N\"", bearing, "b", "fatigue"));
+    std::string second = bearing;
+    second.replace(1, 1, "c");
+    const std::string pair = under("F_a = \"1 kN\"", bearing + "\n" + second + "F_a = \"1 kN\"\n");
+    CHECK(mode_of(solved_as_found(pair), "b", "fatigue") == "pass");  // the other one locates the shaft
+    const std::string shaft =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"300 N*m\"\nd = \"60 mm\"\nmaterial = \"C45E\"\nS = 2\n";
+    CHECK(is_held("M_b = \"800 N*m\"", shaft, "shaft", "yield"));
+  }
+
+  TEST_CASE("gears without a load next to a stated load") {
+    const std::string worm =
+        "[w]\ncalculator = \"gear.worm\"\nz_1 = 2\nz_2 = 40\nm_x = \"4 mm\"\nd_1 = \"40 mm\"\nb_2 = \"30 mm\"\nmu = "
+        "0.05\n";
+    const std::string bevel =
+        "[w]\ncalculator = \"gear.bevel\"\nz_1 = 20\nz_2 = 40\nm_et = \"4 mm\"\nb = \"28 mm\"\nx_1 = 0.3\nh_fP = "
+        "1.188\n";
+    const auto load = [](const std::string& values, const std::string& gears, const std::string& more = "") {
+      return mode_of(solved_as_found(under(values, gears + more)), "w", "load");
+    };
+    for (const char* const values : {"P = \"5 kW\"", "T_2 = \"200 N*m\"", "P_max = \"9 kW\""}) {
+      CHECK(load(values, worm) == "not-judged");
+      CHECK(load(values, bevel) == "not-judged");
+    }
+    CHECK(load("P_idle = \"0.1 kW\"", worm) == "none");
+    CHECK(load("P = \"5 kW\"", worm, "because.m_x = \"rated by its manufacturer, sheet 3\"\n") == "none");
+  }
+
   TEST_CASE("a strength below that of the material") {
     const std::string shaft =
         "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"300 N*m\"\nd = \"60 mm\"\nmaterial = \"C45E\"\nS = 2\n";

@@ -5,6 +5,7 @@
 #include "lib/project/run/search/shortfall.hpp"
 #include "lib/quantity/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -107,11 +108,28 @@ bool JointSearch::elements_pass(std::size_t first) const {
   return true;
 }
 
+/// The smallest index of each size with which the checks at its own places pass, with the others as small as they can
+/// be: no part with less passes. Without any such index: 0.
+SizeIndices JointSearch::floors() {
+  SizeIndices floors(sizes_.count(), 0);
+  for (const std::size_t first : sizes_.firsts()) {
+    for (std::size_t at = 0; at < sizes_.sizes(first).size(); ++at) {
+      SizeIndices least(sizes_.count(), 0);
+      for (std::size_t i = 0; i < least.size(); ++i) least[i] = sizes_.at(i).like == first ? at : 0;
+      if (!sizes_.set(least)) break;
+      if (sizes_.at(first).at != at || !places_pass(first)) continue;
+      for (std::size_t i = 0; i < least.size(); ++i) floors[i] = std::max(floors[i], least[i]);
+      break;
+    }
+  }
+  return floors;
+}
+
 /// The sizes one after the other, ascending: the minimum of the rest bounds the cost, and the checks at places whose
 /// sizes are all set exclude most of the following candidates.
 struct JointSearch::Branching {
   SizeIndices firsts;  // first candidates of equal sizes
-  SizeIndices least, best;
+  SizeIndices floors, least, best;
   double lowest;
   int trials;  // remaining ones
 };
@@ -120,7 +138,7 @@ void JointSearch::branch(Branching& b, std::size_t depth) {
   const std::size_t first = b.firsts[depth];
   const auto set_least = [&](std::size_t at) {
     for (std::size_t i = 0; i < sizes_.count(); ++i) {
-      if (sizes_.at(i).like >= first) b.least[i] = sizes_.at(i).like == first ? at : 0;
+      if (sizes_.at(i).like >= first) b.least[i] = sizes_.at(i).like == first ? at : b.floors[i];
     }
   };
   const auto keeps_what_is_set = [&] {
@@ -129,7 +147,7 @@ void JointSearch::branch(Branching& b, std::size_t depth) {
     }
     return true;
   };
-  for (std::size_t at = 0; at < sizes_.sizes(first).size() && b.trials > 0; ++at) {
+  for (std::size_t at = b.floors[first]; at < sizes_.sizes(first).size() && b.trials > 0; ++at) {
     set_least(at);
     if (!sizes_.set(b.least) || !keeps_what_is_set()) continue;
     const double cost = sizes_.cost();
@@ -148,7 +166,7 @@ void JointSearch::branch(Branching& b, std::size_t depth) {
 /// From the result of a first search, if any; true if there is a cheaper part.
 bool JointSearch::find_cheaper(double lowest, SizeIndices& least) {
   constexpr int most_trials = 20000, most_without_bound = 400;  // without a first part nothing limits the cost
-  Branching b{sizes_.firsts(), least, {}, lowest, std::isinf(lowest) ? most_without_bound : most_trials};
+  Branching b{sizes_.firsts(), floors(), least, {}, lowest, std::isinf(lowest) ? most_without_bound : most_trials};
   branch(b, 0);
   if (b.best.empty()) return false;
   least = b.best;
@@ -169,6 +187,7 @@ bool JointSearch::find_cheapest(SizeIndices& least) {
   for (std::size_t way = 0; sizes_.arrange(way); ++way) {  // a good one first: it bounds the rest
     if (!find_start(least)) continue;
     lower(least);
+    exchange(least);
     if (numerics::exceeds(lowest, sizes_.cost())) keep(way);
   }
   for (std::size_t way = 0; sizes_.arrange(way); ++way) {

@@ -1,0 +1,87 @@
+// Sizes of one part that are exchanged for each other: some larger and others smaller. Where a check concerns the part
+// as one (deflection, critical speed), no single size can be lowered, and yet another combination may be cheaper.
+#include "lib/numerics/magnitude.hpp"
+#include "lib/project/run/search/joint_search.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace loadpath::project {
+
+namespace {
+
+/// How many sizes up and down all are varied together: as many as few enough combinations allow; 0: none.
+std::size_t reach_of(std::size_t count) {
+  constexpr double most_combinations = 1000.0;
+  for (const std::size_t reach : {std::size_t{2}, std::size_t{1}}) {
+    const double choices = 2.0 * static_cast<double>(reach) + 1.0;
+    if (std::pow(choices, static_cast<double>(count)) <= most_combinations) return reach;
+  }
+  return 0;
+}
+
+}  // namespace
+
+/// The sizes, those of one size with `first` at `at`.
+SizeIndices JointSearch::with_group(SizeIndices indices, std::size_t first, std::size_t at) const {
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (sizes_.at(i).like == first) indices[i] = at;
+  }
+  return indices;
+}
+
+bool JointSearch::is_cheaper(const SizeIndices& tried, double lowest) {
+  return sizes_.set(tried) && numerics::exceeds(lowest, sizes_.cost());
+}
+
+bool JointSearch::takes_cheaper(const SizeIndices& tried, SizeIndices& least, double& lowest) {
+  if (!is_cheaper(tried, lowest) || !passes()) return false;
+  lowest = sizes_.cost();
+  least = sizes_.now();
+  return true;
+}
+
+/// One of them as large as it may be and still cheaper: it makes up for the others.
+bool JointSearch::takes_with_one_raised(const SizeIndices& tried, std::size_t first, SizeIndices& least,
+                                        double& lowest) {
+  std::size_t at = tried[first];
+  while (at + 1 < sizes_.sizes(first).size() && is_cheaper(with_group(tried, first, at + 1), lowest)) ++at;
+  return at > tried[first] && takes_cheaper(with_group(tried, first, at), least, lowest);
+}
+
+/// One round about the sizes that were found; whether it found cheaper ones.
+bool JointSearch::exchange_once(SizeIndices& least, std::size_t reach) {
+  const SizeIndices firsts = sizes_.firsts();
+  const std::size_t choices = 2 * reach + 1;
+  sizes_.set(least);
+  const SizeIndices centre = sizes_.now();
+  double lowest = sizes_.cost();
+  std::size_t combinations = 1;
+  for (std::size_t i = 0; i < firsts.size(); ++i) combinations *= choices;
+  bool improved = false;
+  for (std::size_t which = 0; which < combinations; ++which) {
+    SizeIndices tried = centre;
+    bool exists = true;
+    std::size_t rest = which;
+    for (const std::size_t first : firsts) {
+      const std::size_t at = centre[first] + rest % choices;
+      rest /= choices;
+      exists = exists && at >= reach;
+      if (exists) tried = with_group(std::move(tried), first, at - reach);
+    }
+    if (!exists || !is_cheaper(tried, lowest)) continue;
+    improved = takes_cheaper(tried, least, lowest) || improved;
+    for (const std::size_t first : firsts) {
+      if (tried[first] == centre[first]) improved = takes_with_one_raised(tried, first, least, lowest) || improved;
+    }
+  }
+  return improved;
+}
+
+void JointSearch::exchange(SizeIndices& least) {
+  const std::size_t reach = reach_of(sizes_.firsts().size());
+  while (reach > 0 && exchange_once(least, reach)) lower_alone(least);
+  sizes_.set(least);
+}
+
+}  // namespace loadpath::project

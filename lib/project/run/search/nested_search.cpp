@@ -172,7 +172,7 @@ void NestedSearch::leave_open() {
   } else if (find_nearest(nearest)) {
     keeps_rules_with(nearest);
     why = say("none pass together, nearest is {1}: {2}", name(nearest),
-              fault_in_full(evaluation_.calculator(), fault_of_candidate(evaluation_, passing_)));
+              fault_in_full(evaluation_, fault_of_candidate(evaluation_, passing_)));
   } else {
     why = say("no combination of sizes satisfies the input rules");
   }

@@ -127,6 +127,18 @@ bool is_unmoved(const FieldInfo& field, double with_smallest, double with_larges
   return field.role == Role::check ? change >= -rounding : std::abs(change) <= rounding;
 }
 
+/// "d_a = 49 mm, d_f = 47 mm": the inputs that a criterion compares, as they are set.
+std::string compared_by(const Evaluation& evaluation, const FieldInfo& criterion) {
+  std::string all;
+  for (const std::string& key : listed_keys(criterion.asked_by)) {
+    const FieldInfo* const field = find_field(evaluation.calculator().input->fields, key);
+    if (field == nullptr || field->type != FieldInfo::Type::quantity) continue;
+    const double si = evaluation.inputs().leaf(key).get();
+    if (std::isfinite(si)) all += (all.empty() ? "" : ", ") + key + " = " + format_quantity(si, field->unit, 4);
+  }
+  return all;
+}
+
 }  // namespace
 
 FailedValues failed_values(Evaluation& evaluation, Passing& passing) {
@@ -196,10 +208,12 @@ CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing) {
   return fault_of_limits(evaluation, passing);
 }
 
-Message fault_in_full(const Calculator& calculator, const CandidateFault& fault) {
-  const FieldInfo* const check = find_field(calculator.result->fields, fault.row);
-  if (check == nullptr || check->role != Role::check) return fault.text;
-  return say("{1} ({2})", fault.text, check->doc);
+Message fault_in_full(const Evaluation& evaluation, const CandidateFault& fault) {
+  const FieldInfo* const row = find_field(evaluation.calculator().result->fields, fault.row);
+  if (row == nullptr || (row->role != Role::check && !row->is_criterion)) return fault.text;
+  const std::string compared = row->is_criterion ? compared_by(evaluation, *row) : "";
+  if (compared.empty()) return say("{1} ({2})", fault.text, row->doc);
+  return say("{1} ({2}: {3})", fault.text, row->doc, compared);
 }
 
 account::TriedSize tried_size(const Calculator& calculator, std::string name, std::optional<double> si,

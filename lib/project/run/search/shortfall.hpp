@@ -42,8 +42,9 @@ struct CandidateFault {
 };
 /// At the sizes that follow from it.
 CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing);
-/// "u_1 = 3.2 (shaft keyway: bearing pressure / allowable pressure)"
-Message fault_in_full(const Calculator& calculator, const CandidateFault& fault);
+/// "u_1 = 3.2 (shaft keyway: bearing pressure / allowable pressure)"; of a criterion the sizes that it compares, too:
+/// "x_a = 1.04: must be at most 1 (least diameter / diameter of the shoulder: d_a = 49 mm, d_f = 47 mm)"
+Message fault_in_full(const Evaluation& evaluation, const CandidateFault& fault);
 
 /// A candidate that was not taken, by its fault.
 account::TriedSize tried_size(const Calculator& calculator, std::string name, std::optional<double> si,

@@ -193,7 +193,7 @@ void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
   const double check = shortfall_of_candidate(evaluation_, passing_).check;
   const bool uncovered = !(check > 1.0);
   Message fault = say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), candidates_.name(best),
-                      fault_in_full(evaluation_.calculator(), fault_of_candidate(evaluation_, passing_)));
+                      fault_in_full(evaluation_, fault_of_candidate(evaluation_, passing_)));
   if (const Message load = check > far_from_passing ? first_load(evaluation_) : Message{}; !load.empty())
     fault = say("{1}, with {2}: check this load", std::move(fault), load);
   if (uncovered) fault = say("{1}: the method is not valid there{2}", fault, other_methods(evaluation_));

@@ -112,15 +112,11 @@ Panel not_assessed(const Summary& summary) {
 
 namespace {
 
-/// The modes of service, shape and special cases by name where they are few, else their number.
-std::string other_modes(const NotConsidered& open, bool follow_others) {
+/// By name where they are few, or follow no strength modes, else their number.
+std::string rest_of_modes(const NotConsidered& open, bool follow_others) {
   constexpr std::size_t most_named = 2;
-  if (open.other_names.size() <= most_named) {
-    std::string names;
-    for (const std::string& name : open.other_names) names += (names.empty() ? "" : ", ") + name;
-    return names;
-  }
-  return say(follow_others ? "{1} others" : "{1} modes", std::to_string(open.others)).text();
+  if (!follow_others || open.other_names.size() <= most_named) return other_modes(open);
+  return say("{1} others", std::to_string(open.others)).text();
 }
 
 }  // namespace
@@ -135,7 +131,7 @@ Panel not_considered(const Summary& summary) {
   if (const std::size_t rest = open.names.size() - std::min(most_names, open.names.size()); rest > 0)
     text +=
         "; " + (rest == 1 ? say("1 more strength mode") : say("{1} more strength modes", std::to_string(rest))).text();
-  if (open.others > 0) text += (text.empty() ? "" : "; ") + other_modes(open, !text.empty());
+  if (open.others > 0) text += (text.empty() ? "" : "; ") + rest_of_modes(open, !text.empty());
   std::vector<Message> lines{say("{1}.", capitalised(text))};
   for (std::size_t i = 0; i < std::min(most_hints, open.hints.size()); ++i)
     lines.push_back(say("{1}.", capitalised(open.hints[i])));

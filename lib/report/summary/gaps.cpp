@@ -247,4 +247,13 @@ NotConsidered not_considered(const project::Project& project, const Modes& modes
   return all;
 }
 
+std::string other_modes(const NotConsidered& open) {
+  constexpr std::size_t most_named = 3;
+  const std::size_t named = std::min(most_named, open.other_names.size());
+  std::string text;
+  for (std::size_t i = 0; i < named; ++i) text += (i == 0 ? "" : ", ") + open.other_names[i];
+  if (const std::size_t rest = open.other_names.size() - named; rest > 0) text += "; " + std::to_string(rest) + " more";
+  return text;
+}
+
 }  // namespace loadpath::report

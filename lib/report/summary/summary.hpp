@@ -72,6 +72,9 @@ std::vector<Gap> gaps_of(const project::Project& project, const account::Modes& 
 /// `several`: whether the modes are of several steps, which are named with them.
 NotConsidered not_considered(const project::Project& project, const account::Modes& modes, bool several);
 
+/// "deflection, abutment height, wear; 6 more": the modes of service, shape and special cases, the first by name.
+std::string other_modes(const NotConsidered& open);
+
 /// "crankshaft, crank end: fatigue, bending; key: shear"; steps with different modes are separate.
 std::string modes_text(const Gap& gap);
 /// "95 mm fails: angle of twist per unit length 1.055".

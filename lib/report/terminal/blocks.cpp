@@ -143,7 +143,7 @@ Lines open_lines(const Summary& summary, const Limits& limits, const Look& look)
   if (const std::size_t rest = open.names.size() - shown; rest > 0)
     text += "; " + std::to_string(rest) + (rest == 1 ? " more strength mode" : " more strength modes");
   if (open.others > 0 && text.empty())
-    text = std::to_string(open.others) + (open.others == 1 ? " mode" : " modes");
+    text = report::other_modes(open);
   else if (open.others > 0)
     text += "; " + std::to_string(open.others) + (open.others == 1 ? " other" : " others");
   Lines lines;

@@ -360,14 +360,14 @@ r_T = 0
       Mode<Input>{"hub", "keys, splines and press fits", &lacks_connection}
           .wanting("seats[].connection")
           .assessed_beside("shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw, pin.cross"),
-      Mode<Input>{"connection", "torque capacity of shaft-hub connections", &has_connection}.judged_by(
-          "seats.x_c, seats.x_peak"),
+      Mode<Input>{"connection", "torque capacity of shaft-hub connections", &has_connection}
+          .judged_by("seats.x_c, seats.x_peak")
+          .advising("x_peak: give T_max in the step of the key or spline; x_c: give T there"),
       Mode<Input>{"pushed", "axial load on shaft-hub connections", &pushes_hubs}.wanting("seats[].F_c"),
       Mode<Input>{"seat_fatigue", "shaft fatigue under hubs, notch of the connection missing", &lacks_notch}.wanting(
           "notches[].part"),
       Mode<Input>{"notch_factors", "notch factors of the connection", &has_mild_notch}.advising(
-          "use the notch of the connection, part = \"=key.notch\", or give the source: accept.notch_factors "
-          "= \"...\""),
+          "use the notch of the connection, part = \"=key.notch\", or accept.notch_factors = \"source\""),
       Mode<Input>{"rim", "gear rim thickness over the keyway", &bears_rims}
           .judged_by("seats.m_R, seats.x_R")
           .of_shape(),

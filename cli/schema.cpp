@@ -1,13 +1,12 @@
-#include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
-#include "lib/export/json.hpp"
+#include "lib/text/embedded.hpp"
 
 #include <iostream>
 
 namespace loadpath::cli {
 
 int schema() {
-  std::cout << exports::project_schema(calculators());
+  std::cout << embedded::schema().front().text;
   return passed;
 }
 

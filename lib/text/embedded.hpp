@@ -15,6 +15,7 @@ std::span<const File> tables();     // tables/
 std::span<const File> assets();     // lib/report/assets/
 std::span<const File> reference();  // reference/ and examples/: the verification manual
 std::span<const File> shells();     // cli/shell: scripts of completion
+std::span<const File> schema();     // of project files, one: cli/written writes it
 std::span<const File> live();       // cli/watch: the script of a page that is kept up to date
 
 /// The text of an existing file of assets().

@@ -1,4 +1,6 @@
 // Outputs come into being completely or not at all.
+#include "calculators/catalogue.hpp"
+#include "lib/export/json.hpp"
 #include "tests/cli/process.hpp"
 
 #include <cstdlib>
@@ -23,6 +25,12 @@ bool can_mount() { return std::system("unshare -rm true 2>/dev/null") == 0; }
 }  // namespace
 
 TEST_SUITE("cli outputs") {
+  TEST_CASE("the program holds the schema of its own calculators") {
+    const Desk desk;
+    const bool is_same = desk.run({"schema"}).out == loadpath::exports::project_schema(loadpath::calculators());
+    CHECK(is_same);  // not shown: a megabyte
+  }
+
   TEST_CASE("the project itself is no place for an output, also through a link") {
     const Desk desk;
     desk.put("a.md", axle);

@@ -1,5 +1,6 @@
 // Writes the schema of project files while the program is built, which holds it: to make it takes ten times as long as
-// everything else that `loadpath schema` does. A file that would not change is left as it is, and nothing is built again.
+// everything else that `loadpath schema` does. A file that would not change is left as it is, and nothing is built
+// again.
 #include "calculators/catalogue.hpp"
 #include "lib/export/json.hpp"
 

@@ -14,6 +14,16 @@
 
 namespace loadpath::project {
 
+bool JointSearch::passes() {
+  if (!sizes_.is_sound()) return false;
+  SizeIndices sizes = sizes_.now();
+  if (last_ && last_->sizes == sizes) return last_->pass;
+  const bool pass = passing_.passes_again();
+  last_.reset();
+  if (evaluation_.is_settled()) last_ = Evaluated{std::move(sizes), pass};
+  return pass;
+}
+
 /// All alike, from the middle of the stocks in wide steps, down while they pass or up until they do; then one by one.
 bool JointSearch::find_start(SizeIndices& least) {
   const std::vector<double> levels = sizes_.levels();
@@ -68,7 +78,7 @@ void JointSearch::lower(SizeIndices& least) {
   }
   lower_alone(least);
   sizes_.set(least);
-  evaluation_.settle_sizes();
+  settle();
 }
 
 /// Each with the others unchanged: a size lowered together with it may be the one that failed.
@@ -88,6 +98,7 @@ void JointSearch::lower_alone(SizeIndices& least) {
 
 /// Whether the checks at the places of one of them, and of those of equal size, pass with the others unchanged.
 bool JointSearch::places_pass(std::size_t first) {
+  last_.reset();
   evaluation_.settle_sizes_again();
   if (!passing_.keeps_rules()) return true;  // rules of the others, as far as known
   for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
@@ -206,7 +217,7 @@ bool JointSearch::set_largest(SizeIndices& least) {
   for (std::size_t level = levels.size(); level-- > 0;) {
     least = sizes_.first_from(levels[level]);
     if (!sizes_.set(least)) continue;
-    evaluation_.settle_sizes();
+    settle();
     if (passing_.keeps_rules()) return true;
   }
   return false;
@@ -234,7 +245,7 @@ void JointSearch::run(std::vector<Issue>& issues) {
   if (!found) return leave_open(least);
   if (in_words_) return tell(least);
   sizes_.set(least);
-  evaluation_.settle_sizes();
+  settle();
 }
 
 /// No sizes satisfy the input rules: the rule that is broken at all of them, if it is one.
@@ -244,7 +255,7 @@ Issue JointSearch::no_sizes() {
   bool is_one = true;
   for (const double level : sizes_.levels()) {
     if (!sizes_.set(sizes_.first_from(level))) continue;
-    evaluation_.settle_sizes();
+    settle();
     const auto rule = passing_.first_broken_rule();
     is_one = is_one && rule && (!broken || broken == rule);
     if (rule) broken = rule;
@@ -266,6 +277,7 @@ std::optional<account::TriedSize> JointSearch::next_of(const SizeIndices& laid, 
     if (!unsound.empty()) return tried_size(evaluation_.calculator(), less, size, {unsound});
   }
   if (!sizes_.set_smaller(laid, which)) return std::nullopt;
+  last_.reset();
   return tried_size(evaluation_.calculator(), less, size, fault_of_candidate(evaluation_, passing_));
 }
 
@@ -274,7 +286,7 @@ std::optional<account::TriedSize> JointSearch::next_of(const SizeIndices& laid, 
 bool JointSearch::excuse_unmoved() {
   const auto keeps_rules_at = [&](double level) {
     if (!sizes_.set(sizes_.first_from(level))) return false;
-    evaluation_.settle_sizes();
+    settle();
     return passing_.keeps_rules();
   };
   const std::vector<double> levels = sizes_.levels();
@@ -298,7 +310,7 @@ void JointSearch::leave_open(SizeIndices nearest) {
   for (const double level : sizes_.levels()) {
     const SizeIndices all = sizes_.first_from(level);
     if (!sizes_.set(all)) continue;
-    evaluation_.settle_sizes();
+    settle();
     if (!passing_.keeps_rules()) continue;
     const Shortfall here = shortfall_of_candidate(evaluation_, passing_);
     if (!is_first && !here.is_less_than(least)) continue;
@@ -307,7 +319,7 @@ void JointSearch::leave_open(SizeIndices nearest) {
     nearest = sizes_.now();
   }
   sizes_.set(nearest);
-  evaluation_.settle_sizes();
+  settle();
   std::string sizes;
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
     const std::string size = format_quantity(sizes_.at(i).size(), sizes_.search(i).leaf.field->unit);
@@ -342,7 +354,7 @@ void JointSearch::tell(const SizeIndices& least) {
     origin.next = std::move(next);
     evaluation_.inputs().set_origin(sizes_.search(i).path, std::move(origin));
   }
-  evaluation_.settle_sizes();
+  settle();
 }
 
 }  // namespace loadpath::project

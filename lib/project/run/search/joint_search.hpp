@@ -10,6 +10,7 @@
 #include "lib/project/run/search/passing.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace loadpath::project {
@@ -28,8 +29,11 @@ class JointSearch {
   struct Branching;
 
   [[nodiscard]] bool has_check() const;
-  /// Whether the sizes as they are pass.
-  bool passes() { return sizes_.is_sound() && passing_.passes_again(); }
+  /// Whether the sizes as they are pass. A search comes back to the same sizes again and again, in other ways: one
+  /// evaluation for all, as long as there is no other in between.
+  bool passes();
+  /// Evaluates sizes for something else than `passes`.
+  void settle() { last_.reset(), evaluation_.settle_sizes(); }
   bool passes_with(const SizeIndices& least) { return sizes_.set(least) && passes(); }
   bool find_start(SizeIndices& least);
   void lower(SizeIndices& least);
@@ -58,6 +62,11 @@ class JointSearch {
   Passing passing_;
   JointSizes sizes_;
   bool in_words_;
+  struct Evaluated {
+    SizeIndices sizes;
+    bool pass;
+  };
+  std::optional<Evaluated> last_;
 };
 
 }  // namespace loadpath::project

@@ -25,14 +25,24 @@ void tell(const std::vector<Issue>& issues, const std::vector<terminal::SourceTe
   if (!output.quiet || has_errors(issues)) terminal::show_issues(with_flags(issues), sources);
 }
 
+/// The terminal shows what series there are; where nothing shows or writes them, none is made. Patterns are compared
+/// with those that there are.
+project::SeriesChoice series_for(const OutputOptions& output, bool shown, bool written) {
+  if (shown) return {};
+  const bool asked = written || !output.csv.empty() || !output.series.empty();
+  return asked ? project::SeriesChoice(output.series) : project::SeriesChoice::none();
+}
+
 /// Content for viewing is made only if it is viewed: the terminal shows the extremes of every series.
 project::Wanted wanted_by(const OutputOptions& output, report::Detail detail) {
   const bool in_full = detail == report::Detail::full;  // or in short, with the formulas of one check
   const bool shown = !output.json && !output.quiet && !takes_standard_output(output);
   const bool drawn = !output.reports.empty() || !output.svg.empty() || !output.dxf.empty();
+  const bool written = !output.reports.empty() || output.json;
   return {.pictures = drawn || (shown && in_full),
-          .formulas = !output.reports.empty() || output.json || (shown && in_full),
-          .series = project::SeriesChoice(shown ? std::vector<std::string>{} : output.series)};
+          .formulas = written || (shown && in_full),
+          .warnings = written || !output.quiet,
+          .series = series_for(output, shown, written)};
 }
 
 /// Reports patterns without a match; the series are known once the project is solved.

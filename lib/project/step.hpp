@@ -27,8 +27,9 @@ using account::Origin;
 struct Wanted {
   bool pictures = true;                 // tables and figures
   bool formulas = true;                 // the derivation, written out
-  bool unused = true;                   // inputs without effect
+  bool unused = true;                   // inputs and reasons without effect
   bool words = true;                    // origins of values, lines of a calculation
+  bool warnings = true;                 // of what changes nothing, which takes as long as the rest
   SeriesChoice series = {};             // selection of the series that could be written
   std::set<std::string> taken = {};     // values that other steps refer to, "lever.drive.M": solve() fills it
   std::set<std::string> compared = {};  // values that expectations and typed values are compared with: the same

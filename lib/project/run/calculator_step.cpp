@@ -17,7 +17,7 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   Findings found{.results = evaluate_all(evaluation, wanted.words)};
   found.weighed = weigh_typed_values(evaluation, found.results, known, wanted, issues);
   found.governing = evaluate_governing(evaluation, found.results, wanted.words);
-  if (wanted.unused) warn_of_unused(evaluation, found.results, found.governing, issues);
+  if (wanted.unused && wanted.warnings) warn_of_unused(evaluation, found.results, found.governing, issues);
   fill_account(evaluation, found, wanted, own_account());
   const WeighedValues& weighed = found.weighed;
   compared_ = weighed.compared;

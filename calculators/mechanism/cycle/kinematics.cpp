@@ -15,11 +15,21 @@ static std::vector<std::size_t> iterated_groups(const mechanism::Plan& plan) {
   return groups;
 }
 
+/// The motion of a position alone: of thousands of large mechanisms the forces would be kept twice.
+static Position motion_alone(const Position& at) {
+  Position motion;
+  motion.pose = at.pose;
+  motion.velocity = at.velocity;
+  motion.acceleration = at.acceleration;
+  return motion;
+}
+
 Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, const Axis* axis, bool goes_by_drive) {
   Kinematics kinematics;
   if (model.drivers.size() != 1) return kinematics;
   mechanism::PositionFunctions functions(model);
-  kinematics.derivatives = cycle.positions;
+  kinematics.derivatives.reserve(cycle.positions.size());
+  for (const Position& position : cycle.positions) kinematics.derivatives.push_back(motion_alone(position));
   const auto iterated = iterated_groups(functions.plan());
   for (const std::size_t g : iterated)
     kinematics.iterated.push_back({first_link(functions.plan(), functions.plan().groups[g]), {}});

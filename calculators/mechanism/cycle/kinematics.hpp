@@ -10,7 +10,7 @@ namespace loadpath::planar {
 
 /// Kinematics of a mechanism with one drive; empty where it has none or several.
 struct Kinematics {
-  std::vector<mechanism::Position> derivatives;  // as mechanism::PositionFunctions derives them
+  std::vector<mechanism::Position> derivatives;  // as mechanism::PositionFunctions derives them; without forces
   std::vector<bool> known;                       // at which positions
   /// Groups without closed form: the first link, and where known the sign that changes with the assembly.
   struct Iterated {

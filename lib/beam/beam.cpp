@@ -22,28 +22,27 @@ Stiffness stiffness_of(const Span& span) {
            {b, a * right - turned, -b, turned + b * right}}};
 }
 
-/// Values below this share of the maximum of their kind are rounding errors.
+/// Values below this share of the maximum of their kind are rounding errors: those of one kind, by their largest.
 constexpr double rounding = 1e-12;
-template <class Elements, class Of>
-void clean(Elements& all, const Of& of) {
-  double largest = 0.0;
-  for (auto& element : all) largest = std::max(largest, std::abs(of(element)));
-  for (auto& element : all) {
-    if (std::abs(of(element)) < rounding * largest) of(element) = 0.0;
-  }
-}
+void clean(double& one, double largest) { one = std::abs(one) < rounding * largest ? 0.0 : one; }
+void enlarge(double& largest, double one) { largest = std::max(largest, std::abs(one)); }
 
 void clean(Bent& bent) {
-  clean(bent.nodes, [](Node& n) -> double& { return n.v; });
-  clean(bent.nodes, [](Node& n) -> double& { return n.slope; });
-  clean(bent.reactions, [](double& reaction) -> double& { return reaction; });
-  boost::container::static_vector<End*, 2 * most_nodes> ends;
-  for (Ends& span : bent.spans) {
-    ends.push_back(&span.left);
-    ends.push_back(&span.right);
+  Node most;
+  for (const Node& node : bent.nodes) enlarge(most.v, node.v), enlarge(most.slope, node.slope);
+  for (Node& node : bent.nodes) clean(node.v, most.v), clean(node.slope, most.slope);
+  double reaction = 0.0;
+  for (const double one : bent.reactions) enlarge(reaction, one);
+  for (double& one : bent.reactions) clean(one, reaction);
+  End force;
+  for (const auto& [left, right] : bent.spans) {
+    enlarge(force.V, left.V), enlarge(force.V, right.V);
+    enlarge(force.M, left.M), enlarge(force.M, right.M);
   }
-  clean(ends, [](End* end) -> double& { return end->V; });
-  clean(ends, [](End* end) -> double& { return end->M; });
+  for (auto& [left, right] : bent.spans) {
+    clean(left.V, force.V), clean(right.V, force.V);
+    clean(left.M, force.M), clean(right.M, force.M);
+  }
 }
 
 }  // namespace
@@ -111,9 +110,11 @@ Bent Beam::bend(std::span<const Load> loads, std::span<const OfEnds> along) cons
   }
   displace(u);
   Bent bent;
-  for (std::size_t n = 0; n < nodes(); ++n) bent.nodes.push_back({u[2 * n], u[2 * n + 1]});
-  for (std::size_t s = 0; s < spans_.size(); ++s)
-    bent.spans.push_back(ends_of(s, u, s < along.size() ? along[s] : OfEnds{}));
+  bent.nodes.resize(nodes());
+  for (std::size_t n = 0; n < nodes(); ++n) bent.nodes[n] = {u[2 * n], u[2 * n + 1]};
+  bent.spans.resize(spans_.size());
+  constexpr OfEnds none{};
+  for (std::size_t s = 0; s < spans_.size(); ++s) bent.spans[s] = ends_of(s, u, s < along.size() ? along[s] : none);
   for (const Support& support : supports_) {
     const double right = support.node < spans_.size() ? bent.spans[support.node].left.V : 0.0;
     const double left = support.node > 0 ? bent.spans[support.node - 1].right.V : 0.0;

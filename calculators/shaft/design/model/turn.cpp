@@ -4,6 +4,7 @@
 #include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace loadpath::shaft {
@@ -22,6 +23,32 @@ Swing<Quantity> between(Quantity least, Quantity most, double r = unset<double>)
   return {(most - least) / 2.0, (most + least) / 2.0};
 }
 
+/// The points around a section at which bending is looked for: per half circumference, for the other half has opposite
+/// means.
+constexpr std::size_t directions = 90;
+double direction(std::size_t k) { return pi * static_cast<double>(k) / static_cast<double>(directions); }
+
+/// Cosines and sines of them, the same for every section.
+using OfDirections = std::array<double, directions>;
+struct Headings {
+  OfDirections c{}, s{};
+  Headings() {
+    for (std::size_t k = 0; k < directions; ++k) c[k] = std::cos(direction(k)), s[k] = std::sin(direction(k));
+  }
+};
+
+/// The least and the largest bending moment in each direction.
+struct Extremes {
+  OfDirections least{}, most{};
+  void take(double along_x, double along_y, bool is_first) {
+    static const Headings headings;
+    OfDirections M;
+    for (std::size_t k = 0; k < directions; ++k) M[k] = along_x * headings.c[k] + along_y * headings.s[k];
+    if (is_first) least = M, most = M;
+    for (std::size_t k = 0; k < directions; ++k) least[k] = std::min(least[k], M[k]), most[k] = std::max(most[k], M[k]);
+  }
+};
+
 template <class Of>
 std::pair<double, double> extremes(std::size_t positions, const Of& of) {
   std::pair<double, double> found{of(0), of(0)};
@@ -38,6 +65,7 @@ Turn::Turn(const Input& in, std::size_t nodes)
     : nodes_(nodes), positions_(positions_of(in)), varies_(shaft::varies(in)) {
   felt_.reserve(nodes_ * positions_);
   for (std::size_t i = 0; varies_ && i < positions_; ++i) psi_.push_back(psi_of(in, i));
+  for (const double psi : psi_) axes_.push_back({Heading::of(0.0 + psi), Heading::of(pi / 2.0 + psi)});
 }
 
 void Turn::take(const Loaded& loaded) {
@@ -61,20 +89,17 @@ Swings Turn::along(std::size_t node, double r_T) const {
 }
 
 std::vector<Swings> Turn::swings(std::size_t node, double r_T) const {
-  constexpr int directions = 90;         // per half circumference: the other half has opposite means
-  constexpr double finest = 1e-3;        // share of amplitude and mean: closer points are one
-  std::vector<double> along_x, along_y;  // the moment in the axes of the shaft
+  constexpr double finest = 1e-3;  // share of amplitude and mean: closer points are one
+  Extremes M;
   for (std::size_t i = 0; i < positions_; ++i) {
-    along_x.push_back(moment(node, i, 0.0));
-    along_y.push_back(moment(node, i, pi / 2.0));
+    const Felt& f = felt(node, i);
+    const auto& [x, y] = axes_[i];  // of the shaft
+    M.take(f.M_x * x.c + f.M_y * x.s, f.M_x * y.c + f.M_y * y.s, i == 0);
   }
   std::vector<Swings> all(directions, along(node, r_T));
-  for (int k = 0; k < directions; ++k) {
-    Swings& swing = all[static_cast<std::size_t>(k)];
-    swing.theta = pi * k / directions;
-    const double c = std::cos(swing.theta), s = std::sin(swing.theta);
-    const auto M = extremes(positions_, [&](std::size_t i) { return along_x[i] * c + along_y[i] * s; });
-    swing.M = between(from_si<Moment>(M.first), from_si<Moment>(M.second));
+  for (std::size_t k = 0; k < directions; ++k) {
+    all[k].theta = direction(k);
+    all[k].M = between(from_si<Moment>(M.least[k]), from_si<Moment>(M.most[k]));
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Swings& a, const Swings& b) { return numerics::exceeds(in_si(a.M.a), in_si(b.M.a)); });

@@ -6,6 +6,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <cmath>
 #include <vector>
 
 namespace loadpath::shaft {
@@ -20,6 +21,12 @@ struct Swings {
   double theta = unset<double>;  // angle of the point, from X where psi is 0
   Swing<Moment> M, T;
   Swing<Force> N;
+};
+
+/// The cosine and the sine of an angle.
+struct Heading {
+  double c = 1.0, s = 0.0;
+  static Heading of(double angle) { return {std::cos(angle), std::sin(angle)}; }
 };
 
 /// Internal forces of the nodes of a shaft at all positions. Nothing is allocated for one position.
@@ -51,6 +58,10 @@ class Turn {
   double largest_ = -1.0;
   boost::container::small_vector<Felt, beam::most_nodes> felt_;
   std::vector<double> psi_;
+  struct Axes {
+    Heading x, y;
+  };
+  std::vector<Axes> axes_;  // of the shaft at each position, the same for every node
 };
 
 }  // namespace loadpath::shaft

@@ -57,12 +57,13 @@ const Outline outline;
 
 }  // namespace
 
-std::size_t breadth(const Node& tree, const Substituted& substituted, const Known& known) {
-  std::size_t widest = 0;
+Extent extent(const Node& tree, const Substituted& substituted, const Known& known) {
+  Extent all;
   for (const std::string& term : print_terms(outline, tree, substituted, known)) {
-    widest = std::max(widest, term.size());
+    ++all.terms;
+    all.widest = std::max(all.widest, term.size());
   }
-  return widest;
+  return all;
 }
 
 }  // namespace loadpath::formula

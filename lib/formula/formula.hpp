@@ -23,8 +23,11 @@ std::string tex(const Node& tree, const Substituted& substituted = {}, const Kno
 std::string plain(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
 /// The terms of the outermost sum, each with its sign: between them a long formula may break.
 std::vector<std::string> mathml_terms(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
-/// About how many letters wide the widest of these terms is set.
-std::size_t breadth(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
+/// How many these terms are, and about how many letters wide the widest is set; none of them is written.
+struct Extent {
+  std::size_t terms = 0, widest = 0;
+};
+Extent extent(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
 
 /// A value with its printed unit, in the three notations: 27.35 mm.
 std::string quantity_mathml(const Written& value);

@@ -10,8 +10,10 @@ namespace loadpath::formula {
 namespace {
 
 std::string element(std::string_view name, std::string_view content) {
-  return "<" + std::string(name) + ">" + std::string(content) + "</" + std::string(name.substr(0, name.find(' '))) +
-         ">";
+  const std::string_view last = name.substr(0, name.find(' '));
+  std::string out;
+  out.reserve(name.size() + content.size() + last.size() + 5);
+  return out.append("<").append(name).append(">").append(content).append("</").append(last).append(">");
 }
 /// Whether the element that begins the markup also ends it.
 bool is_single(std::string_view markup) {

@@ -59,7 +59,10 @@ constexpr std::array greek = {Greek{"alpha", "α", "\\alpha"},
                               Greek{"Omega", "Ω", "\\Omega"}};
 
 Glyphs letters(std::string_view text) {
-  const auto found = std::find_if(greek.begin(), greek.end(), [&](const Greek& g) { return g.name == text; });
+  const auto found = text.size() < 2 ? greek.end()  // no name of a letter is one letter
+                                     : std::find_if(greek.begin(), greek.end(), [&](const Greek& g) {
+                                         return g.name.front() == text.front() && g.name == text;
+                                       });
   if (found != greek.end()) return {std::string(text), &*found, text != "pi"};
   return {std::string(text), nullptr, text.size() == 1};
 }

@@ -49,7 +49,10 @@ constexpr std::array units = {
 };
 
 const NamedUnit* find(std::string_view name) {
-  const auto found = std::find_if(units.begin(), units.end(), [&](const NamedUnit& unit) { return unit.name == name; });
+  const auto is_named = [&](const NamedUnit& unit) {
+    return unit.name.size() == name.size() && unit.name.front() == name.front() && unit.name == name;
+  };
+  const auto found = std::find_if(units.begin(), units.end(), is_named);
   return found == units.end() ? nullptr : &*found;
 }
 

@@ -199,15 +199,6 @@ void Appendix::add(const Step& step) {
   add_results(step);
 }
 
-/// The inputs that the verdicts of a step follow from; none if no formula is written out.
-std::set<std::string> deciding_inputs(const Account& account) {
-  std::set<std::string> paths;
-  for (const account::Verdict& row : account.verdicts) {
-    for (const Entry* input : reasons_of(account, row.symbol).inputs) paths.insert(input->path);
-  }
-  return paths;
-}
-
 /// Factors that raise a load or lower a strength, each where it is applied: once.
 void add_factors(const Project& project, std::vector<Block>& blocks) {
   Table table{say("Load factors (each applied once)"), {say("step"), say("factor"), say("meaning"), say("value")}, {}};
@@ -278,9 +269,10 @@ std::vector<AppliedFactor> applied_factors(const Project& project) {
   for (const auto& step : project.steps) {
     const auto& inputs = step->account().inputs;
     if (std::none_of(inputs.begin(), inputs.end(), [](const Entry& e) { return e.is_factor; })) continue;
-    const std::set<std::string> deciding = deciding_inputs(step->account());
+    const std::vector<const Entry*> deciding = deciding_inputs(step->account());
     for (const Entry& e : inputs) {
-      const bool of_another = e.origin.assumed && !deciding.empty() && !deciding.contains(e.path);
+      const bool of_another =
+          e.origin.assumed && !deciding.empty() && std::ranges::find(deciding, &e) == deciding.end();
       if (e.is_factor && !of_another) factors.push_back({step.get(), &e});
     }
   }

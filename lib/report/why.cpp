@@ -20,6 +20,13 @@ std::string joined(const std::string& scope, const std::string& name) {
   return scope.empty() ? name : scope + "." + name;
 }
 
+/// Whether the path is `joined` of the scope and the name.
+bool is_path(std::string_view path, std::string_view scope, std::string_view name) {
+  if (scope.empty()) return path == name;
+  return path.size() == scope.size() + 1 + name.size() && path.starts_with(scope) && path[scope.size()] == '.' &&
+         path.ends_with(name);
+}
+
 /// The scopes that a name can be of, from the inner one outwards: "segments[2]", "".
 std::vector<std::string> scopes_from(std::string scope) {
   std::vector<std::string> scopes{scope};
@@ -83,7 +90,7 @@ class Tracing {
   bool add(const std::string& path) {
     for (std::size_t i = account_.derivation.size(); i-- > 0;) {
       const Derived& line = account_.derivation[i];
-      if (joined(line.scope, line.step.symbol) != path && joined(line.element, line.step.symbol) != path) continue;
+      if (!is_path(path, line.scope, line.step.symbol) && !is_path(path, line.element, line.step.symbol)) continue;
       follow(i);
       return true;
     }
@@ -95,10 +102,15 @@ class Tracing {
   [[nodiscard]] Reasons reasons() const {
     Reasons reasons;
     for (const std::size_t i : lines_) reasons.lines.push_back(account_.derivation[i]);
-    for (const Entry& entry : account_.inputs) {
-      if (inputs_.contains(entry.path)) reasons.inputs.push_back(&entry);
-    }
+    reasons.inputs = inputs();
     return reasons;
+  }
+  [[nodiscard]] std::vector<const Entry*> inputs() const {
+    std::vector<const Entry*> inputs;
+    for (const Entry& entry : account_.inputs) {
+      if (inputs_.contains(entry.path)) inputs.push_back(&entry);
+    }
+    return inputs;
   }
 
  private:
@@ -157,6 +169,12 @@ Reasons reasons_of(const Account& account, const std::string& path) {
   Tracing tracing(account);
   tracing.add(path);
   return tracing.reasons();
+}
+
+std::vector<const Entry*> deciding_inputs(const Account& account) {
+  Tracing tracing(account);
+  for (const account::Verdict& row : account.verdicts) tracing.add(row.symbol);
+  return tracing.inputs();
 }
 
 std::vector<Derived> deciding_lines(const Account& account) {

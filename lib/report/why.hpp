@@ -18,6 +18,9 @@ struct Reasons {
 /// The derivation of the value at a path: "u_tau", "segments.journal.tau". Empty if no formula gives it.
 Reasons reasons_of(const account::Account& account, const std::string& path);
 
+/// The inputs that the verdicts of a step follow from; none if no formula is written out.
+std::vector<const account::Entry*> deciding_inputs(const account::Account& account);
+
 /// The lines of a calculation as a report writes it out: all but those of elements of lists that checks assess. From
 /// these, lines remain that checks or results of the part follow from, because results of other methods are in the
 /// tables; if a calculator writes out only a few elements, only the governing ones, because `why` shows the rest.

@@ -46,10 +46,8 @@ Worked worked(const Step& step) {
 namespace {
 
 /// Letters of a side of an equation; of a sum those of all terms.
-std::size_t letters_of_side(const Worked& w, const formula::Substituted& substituted) {
-  const std::size_t terms = formula::mathml_terms(*w.tree, substituted, w.known).size();
-  const std::size_t widest = formula::breadth(*w.tree, substituted, w.known);
-  return terms > 1 ? widest + (terms - 1) * (widest + 1) / 2 : widest;
+std::size_t letters_of_side(const formula::Extent& side) {
+  return side.terms > 1 ? side.widest + (side.terms - 1) * (side.widest + 1) / 2 : side.widest;
 }
 
 }  // namespace
@@ -59,13 +57,13 @@ Setting setting_of(const Step& step) {
   if (step.formula.empty()) return Setting::row;
   const Worked w = worked(step);
   if (!w.tree) return step.formula.size() > formula_column ? Setting::two_rows : Setting::row;
-  const std::size_t formula = letters_of_side(w, {}), numbers = letters_of_side(w, w.substituted);
+  const formula::Extent symbols = formula::extent(*w.tree, {}, w.known);
+  const formula::Extent values = formula::extent(*w.tree, w.substituted, w.known);
+  const std::size_t formula = letters_of_side(symbols), numbers = letters_of_side(values);
   if (formula <= formula_column && numbers <= numbers_column) return Setting::row;
   const std::size_t longest = std::max(formula, numbers);
   if (longest <= both_columns) return Setting::two_rows;
-  const std::size_t widest =
-      std::max(formula::breadth(*w.tree, {}, w.known), formula::breadth(*w.tree, w.substituted, w.known));
-  return widest <= three_columns ? Setting::wide : Setting::small;
+  return std::max(symbols.widest, values.widest) <= three_columns ? Setting::wide : Setting::small;
 }
 
 NamedSymbol named_symbol(std::string_view path) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace loadpath::report {
 
@@ -36,23 +37,6 @@ double height_of(const account::Step& line) {
   return std::max(row * rows, of_note_line * notes + 1.0);
 }
 
-/// The last lines that fit into a height.
-std::vector<Derived> last_lines(const std::vector<Derived>& lines, double height) {
-  std::size_t count = 0;
-  while (count < std::min(most_lines, lines.size())) {
-    height -= height_of(lines[lines.size() - 1 - count].step);
-    if (height < 0.0) break;
-    ++count;
-  }
-  return {lines.end() - static_cast<std::ptrdiff_t>(count), lines.end()};
-}
-
-double height_with_heading(const std::vector<Derived>& lines) {
-  double height = heading_height;
-  for (const Derived& line : lines) height += height_of(line.step);
-  return height;
-}
-
 Panel panel_of(const Governing& row, const project::Step& step, const std::vector<Derived>& lines, std::size_t left) {
   Panel panel{say("{1}: {2}", capitalised(row.component), mode_name(row.mode)), {}, {}};
   if (!step.account().governing.empty()) panel.remark = say("calculated {1}", step.account().governing);
@@ -77,13 +61,37 @@ double height_of(const Derivation& derivation) {
 
 namespace {
 
-/// A mode with the lines that its utilisation follows from.
+/// A mode with the lines that its utilisation follows from, and their heights.
 struct Derivable {
+  Derivable(const Governing& mode, const project::Step& of, std::vector<Derived> from)
+      : row(&mode), step(&of), lines(std::move(from)), heights(lines.size()) {
+    std::ranges::transform(lines, heights.begin(), [](const Derived& line) { return height_of(line.step); });
+  }
+
+  /// The last lines that fit into a height.
+  [[nodiscard]] std::size_t count_within(double height) const {
+    std::size_t count = 0;
+    while (count < std::min(most_lines, lines.size())) {
+      height -= heights[lines.size() - 1 - count];
+      if (height < 0.0) break;
+      ++count;
+    }
+    return count;
+  }
+  /// Of the last lines and the heading.
+  [[nodiscard]] double height_of_last(std::size_t count) const {
+    return std::accumulate(heights.end() - static_cast<std::ptrdiff_t>(count), heights.end(), heading_height);
+  }
+  [[nodiscard]] double height() const { return height_of_last(count_within(most_height)); }
+  [[nodiscard]] std::vector<Derived> last(std::size_t count) const {
+    return {lines.end() - static_cast<std::ptrdiff_t>(count), lines.end()};
+  }
+  static constexpr double most_height = 1e6;
+
   const Governing* row;
   const project::Step* step;
   std::vector<Derived> lines;
-  [[nodiscard]] double height() const { return height_with_heading(last_lines(lines, most_height)); }
-  static constexpr double most_height = 1e6;
+  std::vector<double> heights;  // mm
 };
 
 /// One mode of each component; a formula set only once.
@@ -96,7 +104,7 @@ std::vector<Derivable> derivable(const project::Project& project, const std::vec
     if (!formulas.insert(std::string(step->input().calculator->id) + "." + row.mode.id).second) continue;
     std::vector<Derived> lines = reasons_of(step->account(), row.mode.governs).lines;
     std::erase_if(lines, [](const Derived& line) { return !is_worth_a_line(line); });
-    if (!lines.empty()) all.push_back({&row, step, std::move(lines)});
+    if (!lines.empty()) all.emplace_back(row, *step, std::move(lines));
   }
   return all;
 }
@@ -124,9 +132,10 @@ Derivations governing_derivations(const project::Project& project, const std::ve
   const double share = fair_height(modes, height);
   for (const Derivable& mode : modes) {
     const bool fits = mode.height() <= share;
-    const std::vector<Derived> lines = last_lines(mode.lines, fits ? Derivable::most_height : share - heading_height);
+    const std::size_t count = mode.count_within(fits ? Derivable::most_height : share - heading_height);
+    const std::vector<Derived> lines = mode.last(count);
     for (const Derived& line : lines) all.sources.merge(keys_in(line.step.why.text()));
-    all.height += height_with_heading(lines);
+    all.height += mode.height_of_last(count);
     all.panels.push_back(panel_of(*mode.row, *mode.step, lines, mode.lines.size() - lines.size()));
   }
   return all;

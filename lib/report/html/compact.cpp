@@ -28,6 +28,7 @@ bool is_implied(View tag, View following) {
   constexpr std::array<View, 8> always{"/td", "/th", "/tr", "/thead", "/tbody", "/li", "/dt", "/dd"};
   constexpr std::array<View, 11> end_a_paragraph{"p",  "div", "/div",     "section", "/section", "figure",
                                                  "h2", "pre", "/details", "details", "h3"};
+  if (!tag.starts_with('/')) return false;
   const View next = name_of_tag(following);
   if (next.empty()) return false;
   return is_one_of(tag, always) || (tag == "/p" && is_one_of(next, end_a_paragraph));

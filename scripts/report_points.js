@@ -91,7 +91,7 @@ function clipped() {
 function rows() {
   for (const tr of all(".sheet:first-of-type tbody tr")) {
     const cells = [...tr.querySelectorAll("td")].map((c) => c.textContent.trim());
-    if (!tr.closest(".signatures") && cells.length > 1 && cells.slice(1).every((c) => /^[-–]?$/.test(c))) report(21, cells.join(" | "));
+    if (!tr.closest(".signatures") && cells.length > 1 && !cells[0].endsWith("appendix") && cells.slice(1).every((c) => /^[-–]?$/.test(c))) report(21, cells.join(" | "));
   }
   for (const e of all(".sheet p.finding, .sheet h2, .sheet td, .sheet p.note")) {
     const found = e.textContent.match(/\b[ux]_[A-Za-z]\w*/);

@@ -17,9 +17,11 @@
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::gear {
 
@@ -258,6 +260,7 @@ S_Fmin = 1.5
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 }  // namespace loadpath::gear

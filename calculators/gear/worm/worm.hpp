@@ -17,8 +17,10 @@
 #include "lib/calculator/bound.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::gear {
 
@@ -201,6 +203,7 @@ dT_adm = "60 K"
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 }  // namespace loadpath::gear

@@ -5,16 +5,19 @@
 #include "lib/report/worked.hpp"
 #include "lib/text/markup.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace loadpath::report::page {
 namespace {
 
 /// A number and its unit are not broken between lines; a browser may break behind a solidus.
 std::string kept(const std::string& quantity) {
   constexpr std::string_view kept_blank = "\u00A0";
-  std::string text = escaped(quantity);
+  std::string text = page::quantity(quantity);
   const std::size_t blank = text.find(' ');
   if (blank == std::string::npos) return text;
-  if (text.find('/') != std::string::npos) return "<span class=\"quantity\">" + text + "</span>";
+  if (quantity.find('/') != std::string::npos) return "<span class=\"quantity\">" + text + "</span>";
   for (std::size_t at = blank; at != std::string::npos; at = text.find(' ', at)) text.replace(at, 1, kept_blank);
   return text;
 }
@@ -54,6 +57,28 @@ std::string symbol(std::string_view path) {
   const std::string where = named.where.empty() ? "" : "<span class=\"where\">" + escaped(named.where) + "</span> ";
   if (is_word(named.symbol)) return where + escaped(named.symbol);
   return where + math(formula::symbol_mathml(named.symbol));
+}
+
+std::string quantity(std::string_view text) {
+  constexpr std::string_view minus = "⁻";
+  constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const std::string whole = escaped(text);
+  std::string out;
+  for (std::string_view rest = whole; !rest.empty();) {
+    const std::size_t at = std::min(rest.find(minus), rest.size());
+    out += rest.substr(0, at);
+    rest.remove_prefix(at);
+    if (rest.empty()) break;
+    rest.remove_prefix(minus.size());
+    out += "<sup>−";
+    const auto begins = [&](std::string_view digit) { return rest.starts_with(digit); };
+    for (auto d = std::ranges::find_if(digits, begins); d != digits.end(); d = std::ranges::find_if(digits, begins)) {
+      out += static_cast<char>('0' + (d - digits.begin()));
+      rest.remove_prefix(d->size());
+    }
+    out += "</sup>";
+  }
+  return out;
 }
 
 std::string cell(const Cell& cell) { return std::visit(CellText{}, cell); }

@@ -16,6 +16,8 @@ std::string symbol(std::string_view path);
 /// Running text, escaped; symbols of quantities in it have subscripts: "K_A", not "left_seat" or "values.K_A".
 std::string prose(std::string_view text);
 std::string cell(const Cell& cell);
+/// A number with its unit, escaped: negative exponents are raised by markup, for the font has no raised minus.
+std::string quantity(std::string_view text);
 
 /// A table of many columns has closer spacing and units in the head; if still too wide, it is divided.
 std::string table(const Table& table, const std::string& caption);

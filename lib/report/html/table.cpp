@@ -36,14 +36,14 @@ std::string classes(std::initializer_list<std::string_view> names) {
 std::string head_cell(const Message& head, bool marked, const std::string& unit) {
   std::string out = std::string("<th") + (marked ? " class=\"number\">" : ">");
   out += is_symbol(head) ? symbol(head.args[0].text()) : escaped(head.text());
-  if (!unit.empty()) out += "<br><span class=\"unit\">" + escaped(unit) + "</span>";
+  if (!unit.empty()) out += "<br><span class=\"unit\">" + quantity(unit) + "</span>";
   return out + "</th>";
 }
 
 /// A cell of a numeric column keeps its line together; its quantities need no element of their own.
 std::string number_cell(const Cell& of, const std::string& quantity, bool marked) {
   const std::string_view number = marked ? "number" : "";
-  return std::holds_alternative<Quantity>(of) ? "<td" + classes({number}) + ">" + escaped(quantity) + "</td>"
+  return std::holds_alternative<Quantity>(of) ? "<td" + classes({number}) + ">" + page::quantity(quantity) + "</td>"
                                               : "<td" + classes({number, "words"}) + ">" + cell(of) + "</td>";
 }
 
@@ -51,7 +51,8 @@ std::string close_cell(const Cell& of, const Column& column, bool marked) {
   const auto* const q = std::get_if<Quantity>(&of);
   const std::string quantity = q == nullptr ? std::string() : number_of(*q, column);
   if (column.numeric) return number_cell(of, quantity, marked);
-  return "<td>" + (q == nullptr ? cell(of) : "<span class=\"quantity\">" + escaped(quantity) + "</span>") + "</td>";
+  return "<td>" + (q == nullptr ? cell(of) : "<span class=\"quantity\">" + page::quantity(quantity) + "</span>") +
+         "</td>";
 }
 
 std::string wide_cell(const Cell& of, bool numeric, bool marked) {

@@ -169,13 +169,22 @@ void ViewPicture::draw_forces() {
 }
 
 void ViewPicture::name_forces() {
+  constexpr double far_from_arrow = 30.0;
   for (const auto& f : view_.forces) {
     const auto [from, to] = placed(f);
     const Text text = text_of(f.value);
     const double wide = width(text, 1.05 * text_size);
-    std::vector<Candidate> places = around(f.towards ? from : to, 4.0, wide);  // at the end that is free
+    const Point end = f.towards ? from : to;  // the one that is free
+    std::vector<Candidate> places = around(end, 4.0, wide);
     for (const Candidate& c : beside(from, to, 5.0, wide)) places.push_back({c.box, 1.0 + c.cost});
-    free_text(f.load ? "halo f1" : "halo f0", places, text);
+    for (const double far : {44.0, 62.0}) {
+      for (const Candidate& c : around(end, far, wide)) places.push_back({c.box, 8.0 + c.cost});
+    }
+    const Box box = labels_.place(places);
+    canvas_.centred_text(f.load ? "halo f1" : "halo f0", box, text);
+    const Point edge{std::clamp(end.x, box.left, box.right), std::clamp(end.y, box.top, box.bottom)};
+    if (length(edge - end) > far_from_arrow && length(edge - 0.5 * (from + to)) > far_from_arrow)
+      canvas_.line("light", end, edge);  // short arrows have no room next to them
   }
 }
 

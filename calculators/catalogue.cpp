@@ -1,7 +1,7 @@
 #include "calculators/catalogue.hpp"
 
 #include "calculators/machine/flywheel_step.hpp"
-#include "calculators/machine/motion_step.hpp"
+#include "calculators/machine/motion/step.hpp"
 #include "calculators/mechanism/step.hpp"
 #include "lib/project/run/calculator_step.hpp"
 

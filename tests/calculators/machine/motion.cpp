@@ -1,4 +1,4 @@
-#include "calculators/machine/periodic_cells.hpp"
+#include "calculators/machine/motion/periodic_cells.hpp"
 #include "tests/calculators/motion/solved.hpp"
 
 #include <array>

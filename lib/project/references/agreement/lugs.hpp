@@ -1,5 +1,6 @@
 // Lugs and plates of pins that a mechanism loads: nominal stresses of a lug, and end distances of a plate, hold for a
-// force along its axis, and the force of a joint may turn away from the axis of a link, as that of a rod on a crank does.
+// force along its axis, and the force of a joint may turn away from the axis of a link, as that of a rod on a crank
+// does.
 #pragma once
 
 #include "lib/project/project.hpp"

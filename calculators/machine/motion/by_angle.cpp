@@ -1,4 +1,4 @@
-#include "calculators/machine/motion_by_angle.hpp"
+#include "calculators/machine/motion/by_angle.hpp"
 
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>

@@ -1,6 +1,6 @@
-#include "calculators/machine/motion.hpp"
+#include "calculators/machine/motion/motion.hpp"
 
-#include "calculators/machine/driven_machine.hpp"
+#include "calculators/machine/motion/run.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
@@ -169,7 +169,7 @@ void take_states(const DrivenMachine& machine, const MachineRun& run, const Moti
 template <class Tracer>
 Motion::Result Motion::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const DrivenMachine machine = driven_machine(in, breakdown_slip(in, trace));
+  const DrivenMachine machine = machine_of(in, breakdown_slip(in, trace));
   take_inertias(machine, r, trace);
   take_start(machine, r, trace);
   if (!(in_si(r.J_min) > 0.0)) return r;
@@ -196,7 +196,7 @@ template Motion::Result Motion::evaluate(const Input&, Trace&);
 std::vector<figure::Figure> Motion::figures(const Input& in, const Result& r) {
   if (!is_set(r.t_c)) return {};
   NoTrace trace;
-  return figures_of(in, driven_machine(in, breakdown_slip(in, trace)));
+  return drawn(in, machine_of(in, breakdown_slip(in, trace)));
 }
 
 }  // namespace loadpath::machine

@@ -1,7 +1,7 @@
 // The kinetic energy of a machine over the angle of its crank, across one cell of its period.
 #pragma once
 
-#include "calculators/machine/motor_run.hpp"
+#include "calculators/machine/motion/machine.hpp"
 
 namespace loadpath::machine {
 

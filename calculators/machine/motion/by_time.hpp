@@ -1,7 +1,7 @@
 // The steady cycle of a machine once more, as angle and speed over the time: a proof of its integration over the angle.
 #pragma once
 
-#include "calculators/machine/motor_run.hpp"
+#include "calculators/machine/motion/machine.hpp"
 
 namespace loadpath::machine {
 

@@ -1,4 +1,4 @@
-#include "calculators/machine/motion.hpp"
+#include "calculators/machine/motion/motion.hpp"
 #include "calculators/motion/laws.hpp"
 #include "lib/quantity/format.hpp"
 

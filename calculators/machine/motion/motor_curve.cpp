@@ -1,4 +1,4 @@
-#include "calculators/machine/motor_curve.hpp"
+#include "calculators/machine/motion/motor_curve.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
-#include "calculators/machine/motion_step.hpp"
+#include "calculators/machine/motion/step.hpp"
 
-#include "calculators/machine/motion.hpp"
+#include "calculators/machine/motion/motion.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "calculators/machine/energy_of_turning.hpp"
-#include "calculators/machine/motor_curve.hpp"
+#include "calculators/machine/motion/machine.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/law_text.hpp"
 #include "lib/calculator/meaning.hpp"
@@ -264,6 +264,11 @@ s_K = 0.2
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<figure::Figure> figures(const Input& in, const Result& r);
+
+  /// The machine that the input describes. `s_K`: breakdown slip; NaN of a motor that is not given by Kloss.
+  static DrivenMachine machine_of(const Input& in, double s_K);
+  /// Speed and torque of the motor over the steady cycle, the run-up over the time, and the moments at the crank.
+  static std::vector<figure::Figure> drawn(const Input& in, const DrivenMachine& machine);
 };
 
 }  // namespace loadpath::machine

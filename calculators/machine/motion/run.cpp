@@ -1,7 +1,7 @@
-#include "calculators/machine/motor_run.hpp"
+#include "calculators/machine/motion/run.hpp"
 
-#include "calculators/machine/motion_by_angle.hpp"
-#include "calculators/machine/motion_by_time.hpp"
+#include "calculators/machine/motion/by_angle.hpp"
+#include "calculators/machine/motion/by_time.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -190,13 +190,6 @@ class RunUpToSteady {
 };
 
 }  // namespace
-
-double DrivenMachine::drive(double omega) const {
-  const double M = motor_at(omega);
-  return ratio * (M >= 0.0 ? M * eta : M / eta);
-}
-
-double speed_of(double E, double inertia) { return std::sqrt(2.0 * E / inertia); }
 
 MachineRun run_up(const DrivenMachine& machine, bool records) { return RunUpToSteady(machine, records).run(); }
 

@@ -13,7 +13,7 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double rounded = 0.02;  // values that are written with few digits
+constexpr double few_digits = 0.02;  // values that are written with few digits
 constexpr std::string_view of_values = "values.";
 const Dimension pressure = Dimension::of(-1, 1, -2);
 
@@ -55,7 +55,7 @@ std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project
     const Value* const value = project.value(path);
     if (value == nullptr || !(value->signature.dimension == operand.leaf.field->dimension)) continue;
     const double stated = std::abs(magnitude_at(project, path)), taken = std::abs(own_value(step, project, key));
-    const bool is_less_safe = safer > 0 ? taken < (1.0 - rounded) * stated : taken > (1.0 + rounded) * stated;
+    const bool is_less_safe = safer > 0 ? taken < (1.0 - few_digits) * stated : taken > (1.0 + few_digits) * stated;
     if (!is_less_safe) continue;
     found.push_back({key, say("{1} is {2} of '{3}': write {1} = \"={3}\", refer to a value that explains it, or "
                               "justify it: {4} = \"...\"",

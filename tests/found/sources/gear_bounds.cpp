@@ -1,4 +1,5 @@
 // Bevel, worm and cycloidal gears with values that their teeth, their speed or their shafts contradict.
+#include "calculators/catalogue.hpp"
 #include "tests/found/modes.hpp"
 
 using namespace loadpath;
@@ -60,7 +61,8 @@ TEST_SUITE("found gear bounds") {
   TEST_CASE("the oil of a worm gear in [values]") {
     const auto wear = [](const std::string& T_oil) {
       const std::string values = "[values]\nT_oil = \"" + T_oil + "\"\n\n";
-      return mode_of(solved_as_found(values + std::string(find("gear.worm").example)), "worm", "wear");
+      return mode_of(solved_as_found(values + std::string(find_calculator(calculators(), "gear.worm")->example)),
+                     "worm", "wear");
     };
     CHECK(wear("90 degC") == "pass");
     CHECK(wear("130 degC") == "not-judged");

@@ -114,12 +114,12 @@ s_K = 0.2
             "moment of inertia of the mechanism reduced to the crank: a series, \"=press.drive.J_red\", or a constant"}
           .at_least(0)
           .may_be_missing(),
-      FormulaField{&Input::J_of_phi, "J_of_phi", "reduced moment of inertia as a formula of the crank angle phi"}
+      FormulaField{&Input::J_of_phi, "J_of_phi", "reduced moment of inertia as a formula of the angle phi"}
           .may_be_missing(),
       Field{&Input::period, "period", deg, "period of formulas and points"}.positive().usually(10, 1e7),
       Field{&Input::phi_0, "phi_0", deg, "crank angle at the start from rest"}.within(-360e3, 360e3),
-      Field{&Input::J_F, "J_F", kg_m2, "moment of inertia of flywheel and all that turns with the crank"}.at_least(0),
-      Field{&Input::J_M, "J_M", kg_m2, "moment of inertia of rotor and all that turns with the motor"}.at_least(0),
+      Field{&Input::J_F, "J_F", kg_m2, "moment of inertia of flywheel and crankshaft"}.at_least(0),
+      Field{&Input::J_M, "J_M", kg_m2, "moment of inertia of rotor and motor shaft"}.at_least(0),
       Field{&Input::i, "i", ratio, "speed of the motor over that of the crank"}.positive().usually(0.05, 500),
       Field{&Input::eta, "eta", ratio, "efficiency between motor and crank"}.within(0.01, 1),
       ListField{&Input::motor, "motor", "torque of the motor by points over its speed: [[n, M], ...]"}

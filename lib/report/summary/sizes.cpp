@@ -86,9 +86,11 @@ std::string sized_text(const Entry& entry) {
   return owner.empty() ? entry.path + " = " + value : owner + " " + value;
 }
 
-/// Behind one another: a size may not be broken.
+/// Behind one another: a size may be broken behind a comma only.
 std::string unbroken(std::string text) {
-  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at)) text.replace(at, 1, "\u00A0");
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
+    if (at == 0 || text[at - 1] != ',') text.replace(at, 1, "\u00A0");
+  }
   return text;
 }
 

@@ -147,6 +147,17 @@ bool is_torque_of_file(const Step& step) {
   return true;
 }
 
+/// Values of [values] that no step takes and that may be loads. They are looked for before the loads of steps, so that
+/// sweeps of files without them need no comparison.
+template <class IsLoad>
+std::vector<std::pair<std::string, Value>> stated_loads(const Project& project, const IsLoad& is_it) {
+  std::vector<std::pair<std::string, Value>> found;
+  for (const auto& [name, value] : project.values.unused()) {
+    if (is_it(name, value.signature.dimension) && value.si.front() != 0.0) found.emplace_back(name, value);
+  }
+  return found;
+}
+
 /// The speed of the step or of [values]; 0 if the file has none, NaN if it cannot be known which one is meant.
 double speed_for(const Step& step, const Project& project) {
   const double own = std::abs(own_value(step, project, "n"));
@@ -162,12 +173,14 @@ double speed_for(const Step& step, const Project& project) {
 
 std::vector<ReducedLoad> loads_of_unloaded_gears(const Step& step, const Project& project) {
   const std::string module = is_drive(step) ? module_of(step) : std::string();
+  if (module.empty()) return {};
+  const auto stated = stated_loads(project, [&](const std::string& name, const Dimension& dimension) {
+    return project.values.kind(name) != Meant::work && is_load(name, dimension);
+  });
   const auto is_loaded = [&](const auto& other) { return is_loaded_drive(*other, project); };
-  if (module.empty() || std::ranges::any_of(project.steps, is_loaded)) return {};
+  if (stated.empty() || std::ranges::any_of(project.steps, is_loaded)) return {};
   std::vector<ReducedLoad> found;
-  for (const auto& [name, value] : project.values.unused()) {
-    if (project.values.kind(name) == Meant::work || !is_load(name, value.signature.dimension)) continue;
-    if (value.si.front() == 0.0) continue;
+  for (const auto& [name, value] : stated) {
     found.push_back(
         {module, say("values.{1} acts on no step, and the strength of these gears is not assessed without a "
                      "load: give it here, delete the value, or justify it: because.{2} = \"...\"",
@@ -177,18 +190,21 @@ std::vector<ReducedLoad> loads_of_unloaded_gears(const Step& step, const Project
 }
 
 std::vector<ReducedLoad> powers_of_torques(const Step& step, const Project& project) {
+  const auto powers = stated_loads(project, [](const std::string& name, const Dimension& dimension) {
+    return dimension == of_power && is_load(name, of_power);
+  });
+  if (powers.empty()) return {};
   const double T = single_torque(step, project);
   const auto is_loaded = [&](const auto& other) { return is_loaded_drive(*other, project); };
   if (T == 0.0 || !is_torque_of_file(step) || std::ranges::any_of(project.steps, is_loaded)) return {};
   const double n = speed_for(step, project);
   std::vector<ReducedLoad> found;
-  for (const auto& [name, value] : project.values.unused()) {
-    if (value.signature.dimension != of_power || !is_load(name, of_power) || std::isnan(n)) continue;
+  for (const auto& [name, value] : powers) {
+    if (std::isnan(n)) continue;
     const double P = std::abs(value.si.front()), stated = P / n;
     const auto carries = [&](const auto& other) { return single_torque(*other, project) >= (1.0 - rounded) * stated; };
     const bool is_above = stated > (1.0 + rounded) * T && stated <= implausible_ratio * T;
     if (n > 0.0 && (!is_above || std::ranges::any_of(project.steps, carries))) continue;
-    if (P == 0.0) continue;
     found.push_back(
         {"T",
          n > 0.0 ? say("values.{1} = {2} acts on no step: at {3} it has {4}, and T is {5}: refer to it, delete "

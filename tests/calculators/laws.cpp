@@ -314,7 +314,7 @@ const Law motion[] = {
     {"machine.disc", "", "D = \"1000 mm\"\nd_i = \"200 mm\"\nb = \"80 mm\"", "sigma_rm", 4},
     {"machine.disc", "", "D = \"1000 mm\"\nd_i = \"200 mm\"\nb = \"80 mm\"", "J_z", 32},
     {"machine.run_up", "", R"(parts = [{ J = "0.1 kg*m^2" }, { J = "7.2 kg*m^2", u = 0.5 }])", "t", 2},
-    {"machine.motion", "J_of_phi = \npoints = \nM = \"20 N*m\"", R"(M = "40 N*m")", "A_L", 2},
+    {"machine.motion", "J_of_phi = \npoints = \nM = \"20 N*m\"", "J_of_phi = \npoints = \nM = \"40 N*m\"", "A_L", 2},
     {"machine.motion", "", R"(M_K = "84 N*m")", "M_start", 2},
     {"machine.run_up", "load = ",
      "load = \nmotor = [[\"0 rpm\", \"90 N*m\"], [\"1000 rpm\", \"120 N*m\"], [\"1400 rpm\", \"80 N*m\"]]", "t", 0.5},

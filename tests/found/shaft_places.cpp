@@ -72,7 +72,8 @@ TEST_SUITE("assembly of shafts") {
         "{ l = \"60 mm\", d = \"30 mm\" }, { l = \"20 mm\", d = \"48 mm\" }, { l = \"60 mm\", d = \"40 mm\" }, "
         "{ l = \"60 mm\", d = \"30 mm\" }";
     const auto gear_at = [](const std::string& x, const std::string& b) {
-      return "{ name = \"gear\", F_x = \"-1 kN\", x = \"" + x + "\", b = \"" + b + "\" }";
+      return "{ name = \"gear\", F_x = \"-1 kN\", mass = \"1 kg\", I_p = \"1e-3 kg*m^2\", x = \"" + x + "\", b = \"" +
+             b + "\" }";
     };
     CHECK(assembled(pieces, gear_at("110 mm", "60 mm")) == "none");
     CHECK(assembled(pieces, gear_at("115 mm", "70 mm")) == "none");  // over the thinner one

@@ -175,7 +175,7 @@ Motion::Result Motion::evaluate(const Input& in, Tracer& trace) {
   if (!(in_si(r.J_min) > 0.0)) return r;
   const MachineRun run = run_up(machine, false);
   if (run.end == End::no_start || run.end == End::stalled)
-    r.u_S = trace.value("u_S", run.stall, "it stands: load over the torque of the motor at rest");
+    r.u_S = trace.value("u_S", run.stall, "at rest there: load over the torque of the motor");
   if (run.end == End::runs_away && machine.motor.kind == MotorCurve::Kind::points)
     r.x_n = trace.value("x_n", machine.motor.far_speed() / machine.motor.last_speed(), "it is not held there");
   if (run.end != End::steady) return r;

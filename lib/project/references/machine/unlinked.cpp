@@ -48,8 +48,9 @@ std::string word_at(const Step& step, const char* path) {
 std::string direction_carried(const Step& step, const Project& project) {
   if (const std::string given = word_at(step, "carries"); !given.empty()) return given;
   const std::string arrangement = word_at(step, "arrangement");
+  if (arrangement.empty()) return {};
   const double x = own_value(step, project, "x"), of_mate = own_value(step, project, "mate.x");
-  if (arrangement.empty() || !(std::abs(x - of_mate) > 0.0)) return {};
+  if (!(std::abs(x - of_mate) > 0.0)) return {};
   return (x < of_mate) == (arrangement == "back_to_back") ? "right" : "left";
 }
 

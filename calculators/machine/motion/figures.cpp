@@ -52,13 +52,13 @@ std::vector<figure::Figure> Motion::drawn(const Input& in, const DrivenMachine& 
       add(drive, phi, machine.drive(omega));
     }
   }
-  const figure::Scale angle{"phi", "crank angle", "deg"}, speed{"n", "speed of the crank", "rpm"};
+  const figure::Scale crank{"phi", "crank angle", "deg"}, speed{"n", "speed of the crank", "rpm"};
   std::vector<figure::Figure> figures;
-  figures.push_back({"speed", "Speed of the crank in the steady cycle", plot_over(angle, speed, {std::move(n)})});
+  figures.push_back({"speed", "Speed of the crank in the steady cycle", plot_over(crank, speed, {std::move(n)})});
   figures.push_back({"torque", "Torque of the motor in the steady cycle",
-                     plot_over(angle, {"M", "torque of the motor", "N*m"}, {std::move(M)})});
+                     plot_over(crank, {"M", "torque of the motor", "N*m"}, {std::move(M)})});
   figures.push_back({"moments", "Moments of motor and load at the crank",
-                     plot_over(angle, {"M", "moment at the crank", "N*m"}, {std::move(drive), std::move(load)})});
+                     plot_over(crank, {"M", "moment at the crank", "N*m"}, {std::move(drive), std::move(load)})});
   if (std::isfinite(run.t))
     figures.push_back(
         {"run-up", "Run-up from rest", plot_over({"t", "time", "s"}, speed, {thinned(run.start, 1.2 * run.t)})});

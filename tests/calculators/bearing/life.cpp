@@ -14,13 +14,12 @@ namespace {
 using namespace loadpath;
 using namespace loadpath::test;
 using bearing::Carries;
-using bearing::Kind;
 using bearing::Rolling;
 
 constexpr auto solve = evaluated<Rolling>;
 
 /// A bearing under 10 kN with e_C C_u/P = 0.1.
-Rolling::Input in_oil(Kind kind, double kappa) {
+Rolling::Input in_oil(bearing::Kind kind, double kappa) {
   Rolling::Input in;
   in.kind = kind;
   in.C = 60.0 * kN, in.C_u = 5.0 * kN, in.e_C = 0.2, in.kappa = kappa;
@@ -28,12 +27,12 @@ Rolling::Input in_oil(Kind kind, double kappa) {
   return in;
 }
 
-double a_ISO(Kind kind, double kappa) { return solve(in_oil(kind, kappa)).a_ISO; }
+double a_ISO(bearing::Kind kind, double kappa) { return solve(in_oil(kind, kappa)).a_ISO; }
 
 /// 30206 beside 30305 D, the pair of [NSK-E1102] example 4.
 Rolling::Input of_pair(bool first) {
   Rolling::Input in;
-  in.kind = Kind::tapered_roller;
+  in.kind = bearing::Kind::tapered_roller;
   in.C = (first ? 38.0 : 43.0) * kN, in.n = 600.0 * rpm, in.c_i = 0.6;
   in.e = first ? 0.83 : 0.38, in.Y = first ? 0.73 : 1.6;
   in.F_r = (first ? 1569.0 : 3931.0) * N, in.mate.F_r = (first ? 3931.0 : 1569.0) * N;
@@ -46,18 +45,18 @@ Rolling::Input of_pair(bool first) {
 
 TEST_SUITE("rolling bearing") {
   TEST_CASE("a_ISO at the anchors of an independent computation, balls and rollers") {
-    CHECK(a_ISO(Kind::deep_groove_ball, 0.2) == doctest::Approx(0.188).epsilon(0.003));
-    CHECK(a_ISO(Kind::deep_groove_ball, 0.4) == doctest::Approx(0.312).epsilon(0.003));
-    CHECK(a_ISO(Kind::deep_groove_ball, 1.0) == doctest::Approx(2.43).epsilon(0.003));
-    CHECK(a_ISO(Kind::deep_groove_ball, 4.0) == doctest::Approx(7.20).epsilon(0.003));
-    CHECK(a_ISO(Kind::cylindrical_roller_NU, 0.2) == doctest::Approx(0.124).epsilon(0.004));
-    CHECK(a_ISO(Kind::cylindrical_roller_NU, 0.4) == doctest::Approx(0.154).epsilon(0.004));
-    CHECK(a_ISO(Kind::cylindrical_roller_NU, 1.0) == doctest::Approx(0.399).epsilon(0.003));
-    CHECK(a_ISO(Kind::cylindrical_roller_NU, 4.0) == doctest::Approx(0.664).epsilon(0.003));
+    CHECK(a_ISO(bearing::Kind::deep_groove_ball, 0.2) == doctest::Approx(0.188).epsilon(0.003));
+    CHECK(a_ISO(bearing::Kind::deep_groove_ball, 0.4) == doctest::Approx(0.312).epsilon(0.003));
+    CHECK(a_ISO(bearing::Kind::deep_groove_ball, 1.0) == doctest::Approx(2.43).epsilon(0.003));
+    CHECK(a_ISO(bearing::Kind::deep_groove_ball, 4.0) == doctest::Approx(7.20).epsilon(0.003));
+    CHECK(a_ISO(bearing::Kind::cylindrical_roller_NU, 0.2) == doctest::Approx(0.124).epsilon(0.004));
+    CHECK(a_ISO(bearing::Kind::cylindrical_roller_NU, 0.4) == doctest::Approx(0.154).epsilon(0.004));
+    CHECK(a_ISO(bearing::Kind::cylindrical_roller_NU, 1.0) == doctest::Approx(0.399).epsilon(0.003));
+    CHECK(a_ISO(bearing::Kind::cylindrical_roller_NU, 4.0) == doctest::Approx(0.664).epsilon(0.003));
   }
 
   TEST_CASE("a_ISO is continuous where its constants change, rises with the film up to 4, and never exceeds 50") {
-    for (const Kind kind : {Kind::deep_groove_ball, Kind::spherical_roller}) {
+    for (const bearing::Kind kind : {bearing::Kind::deep_groove_ball, bearing::Kind::spherical_roller}) {
       for (const double kappa : {0.4, 1.0})
         CHECK(a_ISO(kind, kappa) == doctest::Approx(a_ISO(kind, kappa * (1.0 - 1e-9))).epsilon(2e-3));
       double before = 0.0;
@@ -83,7 +82,7 @@ TEST_SUITE("rolling bearing") {
   }
 
   TEST_CASE("the viscosity ratio: 6208 at 900 rpm needs 20.5 mm^2/s, 45000 n^-0.83 D_pw^-0.5") {
-    Rolling::Input in = in_oil(Kind::deep_groove_ball, unset<double>);
+    Rolling::Input in = in_oil(bearing::Kind::deep_groove_ball, unset<double>);
     in.d = 40.0 * mm, in.D = 80.0 * mm, in.n = 900.0 * rpm, in.nu = 20.52 * bearing::mm2_per_s;
     CHECK(solve(in).x_k == doctest::Approx(1.0).epsilon(0.001));
     in.n = 3000.0 * rpm, in.nu = 10.606 * bearing::mm2_per_s;  // 4500/sqrt(3000 60)
@@ -91,7 +90,7 @@ TEST_SUITE("rolling bearing") {
   }
 
   TEST_CASE("blocks: the hours until the sum of q n/(a_i L_i) is 1") {
-    Rolling::Input in = in_oil(Kind::deep_groove_ball, unset<double>);
+    Rolling::Input in = in_oil(bearing::Kind::deep_groove_ball, unset<double>);
     in.d = 40.0 * mm, in.D = 80.0 * mm, in.nu = 12.0 * bearing::mm2_per_s;
     in.blocks.push_back({Name(), 0.3, 1.0, 400.0 * rpm});
     in.blocks.push_back({Name(), 0.7, 0.5, 2000.0 * rpm});
@@ -107,7 +106,7 @@ TEST_SUITE("rolling bearing") {
   }
 
   TEST_CASE("reliability: a_1 of the table of 2007, and the reliability that a life has") {
-    Rolling::Input in = in_oil(Kind::deep_groove_ball, unset<double>);
+    Rolling::Input in = in_oil(bearing::Kind::deep_groove_ball, unset<double>);
     in.e_C = unset<double>, in.L_h = from_si<Time>(3600.0 * 1000.0);
     const double basic = in_si(solve(in).L_10h);
     const double table[][2] = {{0.9, 1.0},   {0.95, 0.64}, {0.96, 0.55},   {0.97, 0.47},
@@ -166,7 +165,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(mode_of(solved_as_found(still + "L_m = 100"), "b", "fatigue") == "pass");
     CHECK(says(still + "L_h = \"1000 h\"", "a bearing at standstill has no life in hours"));
     Rolling::Input in;
-    in.kind = Kind::deep_groove_ball, in.C = 32.5 * kN, in.F_r = 3.25 * kN;
+    in.kind = bearing::Kind::deep_groove_ball, in.C = 32.5 * kN, in.F_r = 3.25 * kN;
     CHECK(solve(in).L_10 == doctest::Approx(1000.0));
   }
 }

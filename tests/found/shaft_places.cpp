@@ -80,6 +80,19 @@ TEST_SUITE("assembly of shafts") {
     CHECK(assembled(pieces, gear_at("105 mm", "60 mm")) == "not-judged");
   }
 
+  TEST_CASE("a pinion of one piece with the shaft ends with its segment") {
+    const std::string ends = "{ l = \"80 mm\", d = \"30 mm\" }", same = "{ l = \"40 mm\", d = \"40 mm\" }, ";
+    const auto pinion = [](const std::string& x, const std::string& b) {
+      return "{ name = \"pinion\", F_x = \"-1 kN\", integral = true, x = \"" + x + "\", b = \"" + b + "\" }";
+    };
+    const std::string pieces = ends + ", " + same + ends;
+    CHECK(assembled(pieces, pinion("100 mm", "40 mm")) == "none");
+    CHECK(assembled(pieces, pinion("100 mm", "41 mm")) == "not-judged");
+    CHECK(assembled(pieces, pinion("102 mm", "38 mm")) == "not-judged");
+    const std::string longer = "{ l = \"60 mm\", d = \"30 mm\" }, " + same + same + "{ l = \"60 mm\", d = \"30 mm\" }";
+    CHECK(assembled(longer, pinion("95 mm", "60 mm")) == "none");  // two segments of one diameter
+  }
+
   TEST_CASE("bodies have room beside one another and beside bearings") {
     const std::string bar = "{ l = \"200 mm\", d = \"40 mm\" }";
     const auto seat = [](const char* x, const char* b) {

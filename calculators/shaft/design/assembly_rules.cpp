@@ -92,19 +92,35 @@ bool integral_one_overhangs(const Input& in) {
   });
 }
 
-/// Whether the hub is wider than its piece leaves room for, and would reach over the shoulder of a thicker one.
-bool hub_meets_shoulder(const Input& in, const Seat& seat) {
-  if (seat.integral == Integral::yes || !is_set(seat.b)) return false;
-  const Extent hub{seat.x - seat.b / 2.0, seat.x + seat.b / 2.0};
-  const Length bore = (1.0 + one_place) * diameter_under(in, seat.x);
-  const std::size_t own = index_of_piece(in, seat.x);
+/// Whether a body reaches beyond the piece at x over another one that stops it.
+template <class Stops>
+bool reaches(const Input& in, const Extent& body, Length x, const Stops& stops) {
+  const std::size_t own = index_of_piece(in, x);
   Extent piece{0.0 * mm, 0.0 * mm};
   for (std::size_t i = 0; i < in.pieces.size(); ++i) {
     piece = {piece.to, piece.to + in.pieces[i].l};
-    const Length thinner_end = std::min(in.pieces[i].d, right_diameter(in.pieces[i]));
-    if (i != own && thinner_end > bore && overlap(in, hub, piece)) return true;
+    if (i != own && stops(in.pieces[i]) && overlap(in, body, piece)) return true;
   }
   return false;
+}
+
+/// Whether the hub is wider than its piece leaves room for, and would reach over the shoulder of a thicker one.
+bool hub_meets_shoulder(const Input& in, const Seat& seat) {
+  if (seat.integral == Integral::yes || !is_set(seat.b)) return false;
+  const Length bore = (1.0 + one_place) * diameter_under(in, seat.x);
+  return reaches(in, {seat.x - seat.b / 2.0, seat.x + seat.b / 2.0}, seat.x,
+                 [&](const Piece& piece) { return std::min(piece.d, right_diameter(piece)) > bore; });
+}
+
+/// Teeth cut into a shaft end with their piece: a pinion that reaches over a thicker or a thinner one has another shape
+/// than the shaft that is assessed.
+bool integral_one_leaves_piece(const Input& in, const Seat& seat) {
+  if (seat.integral == Integral::no) return false;
+  const Length d = diameter_under(in, seat.x);
+  const auto differs = [&](const Piece& piece) {
+    return abs(piece.d - d) > one_place * d || abs(right_diameter(piece) - d) > one_place * d;
+  };
+  return reaches(in, extent_of(seat), seat.x, differs);
 }
 
 }  // namespace
@@ -112,7 +128,8 @@ bool hub_meets_shoulder(const Input& in, const Seat& seat) {
 Applies Design::cannot_be_assembled(const Input& in) {
   const auto is_mounted = [&](const Support& support) { return can_be_slid_on(in, support.x); };
   const auto fits = [&](const Seat& seat) {
-    return (seat.integral == Integral::yes || can_be_slid_on(in, seat.x)) && !hub_meets_shoulder(in, seat);
+    return (seat.integral == Integral::yes || can_be_slid_on(in, seat.x)) && !hub_meets_shoulder(in, seat) &&
+           !integral_one_leaves_piece(in, seat);
   };
   const bool is_misplaced = std::any_of(in.supports.begin(), in.supports.end(), [&](const Support& support) {
     return is_in_fillet(in, support) || overhangs(in, support);

@@ -83,7 +83,8 @@ TEST_SUITE("assembly of shafts") {
   TEST_CASE("a pinion of one piece with the shaft ends with its segment") {
     const std::string ends = "{ l = \"80 mm\", d = \"30 mm\" }", same = "{ l = \"40 mm\", d = \"40 mm\" }, ";
     const auto pinion = [](const std::string& x, const std::string& b) {
-      return "{ name = \"pinion\", F_x = \"-1 kN\", integral = true, x = \"" + x + "\", b = \"" + b + "\" }";
+      return "{ name = \"pinion\", F_x = \"-1 kN\", mass = \"1 kg\", I_p = \"1e-3 kg*m^2\", integral = true, x = \"" +
+             x + "\", b = \"" + b + "\" }";
     };
     const std::string pieces = ends + ", " + same + ends;
     CHECK(assembled(pieces, pinion("100 mm", "40 mm")) == "none");

@@ -161,4 +161,42 @@ TEST_SUITE("found trains") {
     CHECK(power("=g.P/2") == "not-judged");
     CHECK(power("=g.P/2", "because.P = \"two belts of one width\"\n") != "not-judged");
   }
+
+  TEST_CASE("the two gears of a helical pair have opposite hands, from whichever shaft a step describes them") {
+    const auto pair = [](const std::string& name, const std::string& teeth, const std::string& load,
+                         const std::string& more) {
+      return "[" + name + "]\ncalculator = \"gear.pair\"\n" + teeth +
+             "m_n = \"3 mm\"\nb = \"40 mm\"\ncutting = \"hobbed\"\nK_f = 1.6\nsigma_adm_1 = \"250 MPa\"\nsigma_adm_2 = "
+             "\"250 MPa\"\n" +
+             load + more + "\n";
+    };
+    const std::string forward = "z_1 = 20\nz_2 = 60\n", back = "z_1 = 60\nz_2 = 20\n";
+    const std::string fast = "T_1 = \"100 N*m\"\nn_1 = \"1500 rpm\"\n", slow = "T_1 = \"300 N*m\"\nn_1 = \"500 rpm\"\n";
+    const auto shaft = [](const std::string& name, const std::string& seats) {
+      return "[" + name +
+             "]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\npieces = [{ l = \"200 mm\", d = \"50 "
+             "mm\" }]\nsupports = [{ name = \"left\", x = \"15 mm\", holds = \"both\" }, { name = \"right\", x = \"150 "
+             "mm\" "
+             "}]\nS_F = 1.2\nseats = [" +
+             seats + "]\n";
+    };
+    const auto reason = [&](const std::string& second, const std::string& gear) {
+      const std::string driven = shaft("one",
+                                       "{ x = \"185 mm\", way = \"drives\", T = \"100 N*m\" }, { x = \"80 mm\", load "
+                                       "= \"=a.gear_1\" }");
+      const std::string driving = shaft("two", "{ x = \"80 mm\", way = \"drives\", load = \"=b." + gear +
+                                                   "\" }, { x = \"185 mm\", T = \"300 N*m\" }");
+      const std::string first = pair("a", forward, fast, "beta = \"15 deg\"\nhand = \"left\"\n");
+      return mode_of(solved_as_found(first + second + driven + driving), "b", "root_1");
+    };
+    const std::string helix = "beta = \"15 deg\"\n", left = "hand = \"left\"\n", right = "hand = \"right\"\n";
+    const std::string as_left = reason(pair("b", forward, fast, helix + left), "gear_2");
+    CHECK(as_left == "pass");
+    CHECK(reason(pair("b", forward, fast, helix + right), "gear_2") == "not-judged");
+    CHECK(reason(pair("b", forward, fast, helix), "gear_2") == "not-judged");  // right by default
+    CHECK(reason(pair("b", back, slow, helix + left), "gear_1") == "not-judged");
+    CHECK(reason(pair("b", back, slow, helix + right), "gear_1") == as_left);
+    CHECK(reason(pair("b", back, slow, helix + left + "because.hand = \"drawing 12\"\n"), "gear_1") == as_left);
+    CHECK(reason(pair("b", back, slow, "beta = \"0 deg\"\n" + left), "gear_1") == as_left);  // spur gears
+  }
 }

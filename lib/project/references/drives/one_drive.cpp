@@ -16,6 +16,7 @@ namespace {
 
 constexpr double same_shaft = 0.02;
 constexpr double same_data = 1e-6;
+constexpr double same_mesh = 1e-3;  // of the speeds of two gears in mesh: typed with few digits
 
 /// The source of an input that is a reference and nothing else; empty for any other.
 std::string source_of(const Step& step, std::string_view key) {
@@ -45,13 +46,35 @@ std::set<std::string> records_taken(const Step& step, const Project& project) {
   return all;
 }
 
+bool are_equal(double a, double b, double tolerance) {
+  return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= tolerance * std::abs(a);
+}
+
 /// Whether two steps of one calculator have the same speed and sizes.
 bool is_same_drive(const Step& one, const Step& other, const Project& project) {
   constexpr std::array keys{"n_1", "z_1", "z_2", "d_1", "m_x", "m_n"};
   return std::ranges::all_of(keys, [&](const char* key) {
-    const double a = own_value(one, project, key), b = own_value(other, project, key);
-    return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= same_data * std::abs(a);
+    return are_equal(own_value(one, project, key), own_value(other, project, key), same_data);
   });
+}
+
+/// Whether gear 1 of a step is gear 2 of the other one: an external pair that each step describes from its own shaft.
+bool is_same_pair_from_its_mate(const Step& one, const Step& other, const Project& project) {
+  const auto here = [&](const char* key) { return own_value(one, project, key); };
+  const auto there = [&](const char* key) { return own_value(other, project, key); };
+  const double pitch_speed = std::abs(here("n_1") * here("z_1"));
+  const Leaf mesh = find_leaf(one.input().reading.record, "mesh");
+  return mesh && word_of(mesh) == "external" && here("z_1") == there("z_2") && here("z_2") == there("z_1") &&
+         are_equal(here("m_n"), there("m_n"), same_data) && are_equal(here("beta"), there("beta"), same_data) &&
+         are_equal(pitch_speed, std::abs(there("n_1") * there("z_1")), same_mesh);
+}
+
+/// The hand that a step calculates with: stated, taken or by default; empty where it has no effect.
+std::string hand_of(const Step& step, const Project& project) {
+  const Leaf leaf = find_leaf(step.input().reading.record, "hand");
+  if (!leaf || own_value(step, project, "beta") == 0.0) return {};
+  const std::string word = step.word("hand");
+  return word.empty() ? word_of(leaf) : word;
 }
 
 }  // namespace
@@ -74,19 +97,22 @@ std::vector<ReducedLoad> torques_at_other_speeds(const Step& step, const Project
 }
 
 std::vector<ReducedLoad> hands_in_disagreement(const Step& step, const Project& project) {
-  if (find_field(step.input().calculator->input->fields, "hand") == nullptr) return {};
-  const std::string hand = step.word("hand");
+  const std::string hand = hand_of(step, project);
   const std::set<std::string> own = records_taken(step, project);
   if (hand.empty() || own.size() != 1) return {};
   for (const auto& other : project.steps) {
     if (other.get() == &step || other->input().calculator != step.input().calculator) continue;
-    const std::string there = other->word("hand");
-    if (there.empty() || there == hand || !is_same_drive(step, *other, project)) continue;
+    const std::string there = hand_of(*other, project);
     const std::set<std::string> theirs = records_taken(*other, project);
-    if (theirs.size() != 1 || theirs == own) continue;
-    return {{"hand", say("hand is {1} here, where '{2}' is taken, and {3} in '{4}', whose '{5}' is taken: take both "
-                         "gears from one step, or because.hand = \"...\"",
-                         hand, *own.begin(), there, other->name(), *theirs.begin())}};
+    if (there.empty() || theirs.size() != 1) continue;
+    if (there != hand && theirs != own && is_same_drive(step, *other, project))
+      return {{"hand", say("hand is {1} here, where '{2}' is taken, and {3} in '{4}', whose '{5}' is taken: take both "
+                           "gears from one step, or because.hand = \"...\"",
+                           hand, *own.begin(), there, other->name(), *theirs.begin())}};
+    if (there == hand && theirs == own && is_same_pair_from_its_mate(step, *other, project))
+      return {{"hand", say("hand is {1} here and in '{2}', which has the mating gear: the gears of an external pair "
+                           "have opposite hands; correct one, or because.hand = \"...\"",
+                           hand, other->name())}};
   }
   return {};
 }

@@ -372,7 +372,7 @@ S_Fmin = 1.4
           .of_shape(),
       Mode<Input>{"clearance", "tip clearance", &always<Input>}.judged_by("c_n").of_shape(),
       Mode<Input>{"backlash", "backlash", &always<Input>}.judged_by("j_bn").of_shape(),
-      Mode<Input>{"overload", "tooth overload at peak torque", &unseen<Input>}.special(),
+      Mode<Input>{"overload", "tooth overload at peak torque", &unrated_peaks<Input>}.special(),
       Mode<Input>{"scuffing", "scuffing", &unseen<Input>}.special(),
       Mode<Input>{"micropitting", "micropitting", &unseen<Input>}.special(),
       Mode<Input>{"case_crushing", "case crushing", &unseen<Input>}.special(),

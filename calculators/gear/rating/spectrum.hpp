@@ -20,7 +20,8 @@ struct LoadBlock {
   static constexpr Fields fields{
       NameField{&LoadBlock::name, "name", "name of the block"}.may_be_missing(),
       Field{&LoadBlock::q, "q", ratio, "fraction of time; all fractions sum to 1"}.within(0, 1).positive(),
-      Field{&LoadBlock::k, "k", ratio, "torque of the block / T_1"}.at_least(0).usually(0, 10),
+      Field{&LoadBlock::k, "k", ratio, "torque of the block / T_1; starts and stops included"}.at_least(0).usually(0,
+                                                                                                                   10),
       Field{&LoadBlock::n, "n", rpm, "speed of gear 1 in the block; omitted: n_1"}.positive().may_be_missing()};
 };
 inline constexpr std::size_t most_load_blocks = 32;
@@ -77,6 +78,14 @@ double sum_of_fractions(const Input& in) {
   for (const LoadBlock& b : in.blocks) sum += b.q;
   return sum;
 }
+/// Peak torques above T_1 that blocks state: each block is compared with the static limits, however short it is, in the
+/// modes of pitting and tooth breakage.
+template <class Input>
+Applies unrated_peaks(const Input& in) {
+  const bool has_peaks = std::any_of(in.blocks.begin(), in.blocks.end(), [](const LoadBlock& b) { return b.k > 1.0; });
+  return has_peaks ? Applies::no : Applies::unseen;
+}
+
 template <class Input>
 bool fractions_close(const Input& in) {
   return in.blocks.empty() || std::abs(sum_of_fractions(in) - 1.0) <= 1e-3 * (1.0 + 1e-9);

@@ -127,6 +127,23 @@ TEST_SUITE("gear rating under a load spectrum") {
     CHECK(rel(in_si(r.T_F1), in_si(s.T_F1)) < 1e-12);
   }
 
+  TEST_CASE("a peak above the static limits fails, however short, and blocks with peaks leave no overload unrated") {
+    const auto overload =
+        std::ranges::find_if(Rating::modes, [](const auto& m) { return std::string(m.id) == "overload"; });
+    REQUIRE(overload != Rating::modes.end());
+    In in = stage_for_years();
+    in.blocks.push_back(block_of(1.0 - 1e-9, 1.0, 900));
+    in.blocks.push_back(block_of(1e-9, 1.0, 900));  // about one turn
+    CHECK(overload->applies(in) == Applies::unseen);
+    const auto even = rated_under(in);
+    in.blocks[1].k = 10.0;
+    CHECK(overload->applies(in) == Applies::no);
+    const auto peaked = rated_under(in);
+    CHECK(even.S_F2 > in.S_Fmin);
+    CHECK(peaked.S_F2 < in.S_Fmin);
+    CHECK(peaked.D_F2 > 1.0);
+  }
+
   TEST_CASE("more torque in any block, and more hours, lower no safety factor the wrong way") {
     const In in = with_three_blocks();
     const auto r = rated_under(in);

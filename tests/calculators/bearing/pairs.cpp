@@ -101,6 +101,26 @@ TEST_SUITE("rolling bearing") {
           "pass");
   }
 
+  TEST_CASE("the row of one bearing of a pair may be searched") {
+    const auto of = [](const std::string& name, const std::string& row, const char* x, const std::string& mate) {
+      return "[" + name + "]\ncalculator = \"bearing.rolling\"\nbearing = \"" + row +
+             "\"\nF_r = \"5 kN\"\nF_a = \"0 kN\"\n" +
+             "n = \"300 rpm\"\nL_h = \"10000 h\"\ns_0 = 1.5\narrangement = \"face_to_face\"\nx = \"" + x +
+             "\"\nmate = { F_r = \"5 kN\", " + mate + " }\n";
+    };
+    const auto pair = [&](const std::string& left, const std::string& right) {
+      return of("left", left, "10 mm", "x = \"200 mm\", Y = \"=right.Y\"") +
+             of("right", right, "200 mm", "x = \"10 mm\", Y = \"=left.Y\"");
+    };
+    for (const auto& text : {pair("30208", "?"), pair("?", "30208")}) {
+      const auto project = solved_as_found(text);
+      for (const char* const step : {"left", "right"}) {
+        CHECK(mode_of(project, step, "fatigue") == "pass");
+        CHECK(mode_of(project, step, "mate") == "pass");
+      }
+    }
+  }
+
   TEST_CASE("two bearings of a shaft take Y of each other, and the shaft takes their pressure centres") {
     const auto of = [](const std::string& name, const std::string& other, const std::string& row) {
       return "[" + name + "]\ncalculator = \"bearing.rolling\"\nload = \"=shaft.bearings." + name + "\"\nbearing = \"" +

@@ -1,14 +1,12 @@
 // How the diameters of a shaft go together when they are searched for: they fall from one piece to both ends, so that
-// all that sits on the shaft can be pushed onto it. Each piece that carries no bearing may be the thickest; the
-// lightest shaft is taken. A shoulder is at least as high as its fillet and its abutting part require; without a
-// notch between them two pieces are one cylinder; bearings sit on bores of bearings. Tapers are given, and their ends
-// require of adjacent cylinders what other cylinders do.
+// all that sits on the shaft can be pushed onto it. Each piece between the bearings that carries none may be the
+// thickest, without such a piece each; the lightest shaft is taken. A shoulder is at least as high as its fillet and
+// its abutting part require; without a notch between them two pieces are one cylinder; bearings sit on bores of
+// bearings. Tapers are given, and their ends require of adjacent cylinders what other cylinders do.
 #include "calculators/shaft/design/design.hpp"
-#include "calculators/shaft/design/model/bending.hpp"
 #include "calculators/shaft/design/model/places.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace loadpath::shaft {
 
@@ -94,24 +92,6 @@ bool has_free_between(const Input& in) {
   return false;
 }
 
-/// The piece that is bent most, as it is of one diameter.
-std::size_t most_bent(const Input& in) {
-  Input alike = in;
-  Length d = 0.1 * length_of(in);
-  for (const Piece& piece : in.pieces) d = max(d, 2.0 * piece.d_bore);
-  for (Piece& piece : alike.pieces) piece.d = d, piece.d_2 = unset<Length>;
-  const auto loaded = loaded_shaft(alike);
-  std::size_t found = in.pieces.size() / 2;
-  if (!loaded) return found;
-  double most = 0.0;
-  for (std::size_t s = 0; s < loaded->stations.piece.size(); ++s) {
-    const Felt left = loaded->felt(s), right = loaded->felt(s + 1);
-    const double M = std::hypot(left.M_x, left.M_y) + std::hypot(right.M_x, right.M_y);
-    if (M > most * (1.0 + 1e-9)) most = M, found = loaded->stations.piece[s];
-  }
-  return found;
-}
-
 /// The pieces from which the diameters may fall to both ends: those between bearings that carry none, and collars that
 /// are given; where there are none, that which is bent most.
 OfPieces tops_of(const Input& in, const OfPieces& sought) {
@@ -121,7 +101,8 @@ OfPieces tops_of(const Input& in, const OfPieces& sought) {
     const bool is_collar = sought[i] == none && !is_end && !is_bearing_seat(in, i);
     if (is_free_between(in, i) || is_collar) tops.push_back(i);
   }
-  if (tops.empty()) tops.push_back(most_bent(in));
+  const bool any = !tops.empty();
+  for (std::size_t i = 0; !any && i < in.pieces.size(); ++i) tops.push_back(i);
   return tops;
 }
 

@@ -83,8 +83,12 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   const auto from = static_cast<std::size_t>(start - sizes.begin());
   passing_.excuse_sizeless();
   std::size_t found = first_that_passes(from);
-  if (found == candidates_.count() && excuse_unmoved(from)) found = first_that_passes(0);
+  const FailedValues unmoved = found == candidates_.count() ? unmoved_by_size(from) : FailedValues{};
+  for (const auto& [row, value] : unmoved) passing_.excuse(row);  // they decide the verdict, whatever the result
+  if (!unmoved.empty()) found = first_that_passes(0);
   if (found == candidates_.count()) return tell_none(from, issues);
+  const auto is_criterion = [](const auto& failed) { return failed.first.field->is_criterion; };
+  if (!candidates_.leaf && std::any_of(unmoved.begin(), unmoved.end(), is_criterion)) return tell_unfit(found);
   if (in_words_) warn_of_passed_over(found, issues);
   candidates_.take(evaluation_.inputs(), found);
   evaluation_.settle_sizes();
@@ -108,24 +112,22 @@ std::size_t SizeSearch::first_that_passes(std::size_t from) {
   return candidates_.count();
 }
 
-/// Excuses checks and limits that no candidate satisfies: they fail with all, and do not improve from the first to
-/// the last. They decide the verdict of the step, whatever the result. Returns whether there are any.
-bool SizeSearch::excuse_unmoved(std::size_t from) {
+/// Checks and limits that no candidate satisfies: they fail with all, and do not improve from the first to the last.
+FailedValues SizeSearch::unmoved_by_size(std::size_t from) {
   std::size_t first = from, last = candidates_.count();
   while (first < last && !keeps_rules_with(first)) ++first;
-  if (first == last) return false;
+  if (first == last) return {};
   const FailedValues smallest = failed_values(evaluation_, passing_);
   do --last;
   while (last > first && !keeps_rules_with(last));
-  if (last == first) return false;  // a single one shows no trend
+  if (last == first) return {};  // a single one shows no trend
   FailedValues unmoved = unmoved_values(smallest, failed_values(evaluation_, passing_));
   for (std::size_t i = first + 1; i < last && !unmoved.empty(); ++i) {
     if (!keeps_rules_with(i)) continue;
     const FailedValues here = failed_values(evaluation_, passing_);
     std::erase_if(unmoved, [&](const auto& failed) { return !here.contains(failed.first); });
   }
-  for (const auto& [row, value] : unmoved) passing_.excuse(row);
-  return !unmoved.empty();
+  return unmoved;
 }
 
 /// The candidate that is nearest to passing. None keeps the rules: past the last.
@@ -198,6 +200,18 @@ void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
     fault = say("{1}, with {2}: check this load", std::move(fault), load);
   if (uncovered) fault = say("{1}: the method is not valid there{2}", fault, other_methods(evaluation_));
   leave_open(std::move(fault), std::move(tried));
+}
+
+/// No row fits, as no roller bearing without ribs under an axial load. Reports the first that passes in all else.
+void SizeSearch::tell_unfit(std::size_t nearest) {
+  candidates_.take(evaluation_.inputs(), nearest);
+  evaluation_.settle_sizes();
+  Passing whole(evaluation_);
+  const CandidateFault fault = fault_of_candidate(evaluation_, whole);
+  const Message name = candidates_.name(nearest);
+  Message why =
+      say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), name, fault_in_full(evaluation_, fault));
+  leave_open(std::move(why), {tried_size(evaluation_.calculator(), name.text(), std::nullopt, fault)});
 }
 
 /// No candidate keeps the rules, or has a size that settles.

@@ -23,11 +23,12 @@ class SizeSearch {
   /// Whether the rules about the searched inputs hold with a candidate, at the sizes that follow from it.
   bool keeps_rules_with(std::size_t i);
   std::size_t first_that_passes(std::size_t from);
-  bool excuse_unmoved(std::size_t from);
+  FailedValues unmoved_by_size(std::size_t from);
   std::size_t nearest(std::size_t from);
   void keep_sizing_results();
   /// No candidate passes.
   void tell_none(std::size_t from, std::vector<Issue>& issues);
+  void tell_unfit(std::size_t nearest);
   void refuse_all(std::vector<Issue>& issues);
   [[nodiscard]] account::TriedSize tried(std::size_t i);
   [[nodiscard]] std::vector<account::TriedSize> tried_around(std::size_t best);

@@ -5,6 +5,8 @@
 #include "lib/table/search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace loadpath::table {
 
@@ -135,11 +137,15 @@ Outcome<std::vector<Entry>> Tables::ordered_rows(std::string_view group, std::st
   return rows;
 }
 
+/// Ribbed belts have none: their rows rate no rib, so that nothing would decide between them.
 std::string_view order_of(std::string_view group) {
-  if (group == "section") return "A";
-  if (group == "key") return "b";
-  if (group == "bearing") return "m";
-  return group == "chain" ? "p" : "";
+  using Order = std::pair<std::string_view, std::string_view>;
+  constexpr std::array orders{
+      Order{"bearing", "m"}, Order{"chain", "p"},       Order{"circlip", "d_1"}, Order{"key", "b"},
+      Order{"section", "A"}, Order{"set_screw", "d_s"}, Order{"spline", "d_2"},  Order{"synchronous_belt", "p_b"}};
+  const auto found =
+      std::find_if(orders.begin(), orders.end(), [&](const auto& order) { return order.first == group; });
+  return found == orders.end() ? std::string_view() : found->second;
 }
 
 Outcome<Tables::Referred> Tables::value_at(std::string_view path) const {

@@ -1,13 +1,14 @@
 #include "calculators/machine/flywheel.hpp"
 
+#include "calculators/machine/law_period.hpp"
 #include "calculators/motion/laws.hpp"
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/expression/resolved.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 
 namespace loadpath::machine {
 
@@ -191,10 +192,6 @@ FieldFault Flywheel::law_fault(const Input& in) {
 
 namespace {
 
-constexpr std::array eighths{0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875};
-/// Multiples of the period after which a law may repeat. One that is written for a single period repeats after none.
-constexpr std::array longer_periods{2, 3, 4, 5, 6, 8};
-
 FieldFault leap_after(double period, double last, double first) {
   return {"M_of_phi",
           say("the moment does not repeat after {1}: it leaps there from {2} to {3}",
@@ -218,19 +215,10 @@ bool Flywheel::law_repeats(const Input& in) { return law_leap(in).message.empty(
 
 FieldFault Flywheel::law_leap(const Input& in) {
   const Law* const law = in.M_of_phi.empty() ? nullptr : in.M_of_phi.law();
-  if (law == nullptr) return {};
-  const auto at = [&](double periods) { return law->at(in.period * periods).value; };
-  const double first = at(0.0), last = at(1.0 - 1e-12);
-  double most = std::max(std::abs(first), std::abs(last));
-  for (const double share : eighths) most = std::max(most, std::abs(at(share)));
-  const auto differ = [&](double one, double other) { return std::abs(one - other) > 1e-6 * most; };
-  if (differ(first, last)) return leap_after(in.period, last, first);
-  for (const double share : eighths) {
-    const auto repeats = [&](int periods) { return !differ(at(periods + share), at(share)); };
-    if (!repeats(1) && std::ranges::any_of(longer_periods, repeats))
-      return change_after(in.period, in.period * share, at(share), at(1.0 + share));
-  }
-  return {};
+  const auto found = law == nullptr ? std::nullopt : unrepeated(*law, in.period);
+  if (!found) return {};
+  return found->leaps ? leap_after(in.period, found->here, found->later)
+                      : change_after(in.period, found->phi, found->here, found->later);
 }
 
 bool Flywheel::points_rise(const Input& in) {

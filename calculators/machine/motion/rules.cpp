@@ -1,3 +1,4 @@
+#include "calculators/machine/law_period.hpp"
 #include "calculators/machine/motion/motion.hpp"
 #include "calculators/motion/laws.hpp"
 #include "lib/quantity/format.hpp"
@@ -37,15 +38,16 @@ FieldFault gap_of(const LawOfAngle& one, const Law& law, double period) {
           say("it divides by zero there, or takes a root or an arc of what has none")};
 }
 
-FieldFault leap_of(const LawOfAngle& one, const Law& law, double period) {
-  const double first = law.at(0.0).value, last = law.at(period * (1.0 - 1e-12)).value;
-  const double middle = law.at(0.5 * period).value;
-  const double most = std::max({std::abs(first), std::abs(last), std::abs(middle)});
-  if (std::abs(first - last) <= 1e-6 * most) return {};
+FieldFault repetition_of(const LawOfAngle& one, const Law& law, double period) {
+  const auto found = unrepeated(law, period);
+  if (!found) return {};
+  const auto value = [&](double si) { return format_quantity(si, one.unit, 4); };
+  const std::string length = format_quantity(period, deg.symbol, 5);
   return {one.key,
-          say("the formula does not repeat after {1}: it leaps there from {2} to {3}",
-              format_quantity(period, deg.symbol, 5), format_quantity(last, one.unit, 4),
-              format_quantity(first, one.unit, 4)),
+          found->leaps ? say("the formula does not repeat after {1}: it leaps there from {2} to {3}", length,
+                             value(found->here), value(found->later))
+                       : say("the formula does not repeat after {1}: it is {2} at {3}, and {4} a period later", length,
+                             value(found->here), format_quantity(found->phi, deg.symbol, 4), value(found->later)),
           say("give the period after which it repeats, as period = \"720 deg\"")};
 }
 
@@ -54,7 +56,7 @@ FieldFault fault_of(const LawOfAngle& one, double period) {
   if (const Fault* const fault = one.text->fault()) return {one.key, fault->message, fault->hint};
   const Law& law = *one.text->law();
   FieldFault gap = gap_of(one, law, period);
-  return gap.message.empty() ? leap_of(one, law, period) : gap;
+  return gap.message.empty() ? repetition_of(one, law, period) : gap;
 }
 
 }  // namespace

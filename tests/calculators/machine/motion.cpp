@@ -97,6 +97,25 @@ TEST_SUITE("machine motion") {
     CHECK(std::isnan(stalled("delta")));
   }
 
+  TEST_CASE("a load that equals the torque of the motor at rest does not start") {
+    const auto held = machine(straight + "J_F = \"20 kg*m^2\"\nM = \"120 N*m\"\n");
+    CHECK(held.worst() == State::fail);
+    CHECK(held("u_S") > 1.0);
+  }
+
+  TEST_CASE("a formula that is zero at both ends and in the middle of the period repeats") {
+    const auto r = machine(straight + "J_F = \"20 kg*m^2\"\nM_of_phi = \"30 N*m*sin(phi)\"\n");
+    CHECK(std::abs(r("A_L")) < 1e-9);
+    CHECK(r("n_m") > 90.0 * 3.141592653589793 / 30.0);
+  }
+
+  TEST_CASE("a load over two turns takes the period of both") {
+    const auto r = machine(straight +
+                           "J_F = \"20 kg*m^2\"\nM_of_phi = \"60 N*m + 30 N*m*sin(phi/2)\"\nperiod = "
+                           "\"720 deg\"\n");
+    CHECK(near(r("A_L"), 240.0 * 3.141592653589793, 1e-9));
+  }
+
   TEST_CASE("an induction motor by its rated values has the breakdown slip of Kloss") {
     const std::string lines = "M = \"10 N*m\"\nJ_F = \"1 kg*m^2\"\nM_K = \"40 N*m\"\nn_0 = \"1500 rpm\"\n";
     // s_n = 0.04, M_K/M_n = 2.5: s_K = 0.04 (2.5 + sqrt(5.25)) = 0.191651514
@@ -120,14 +139,19 @@ TEST_SUITE("machine motion") {
   }
 
   TEST_CASE("inputs that contradict each other are refused with the reason") {
-    check_refusals("machine.motion",
-                   {{"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\n", "give the load once"},
-                    {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nM = \"1 N*m\"\n", "moment of inertia of the flywheel"},
-                    {"M_A = \"1 N*m\"\nJ_F = \"1 kg*m^2\"\nM = \"1 N*m\"\n", "give the motor once"},
-                    {"M_K = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM = \"1 N*m\"\n", "breakdown slip"},
-                    {"motor = [[\"9 rpm\", \"2 N*m\"], [\"12 rpm\", \"1 N*m\"]]\nJ_F = \"1 kg*m^2\"\nM = \"1 N*m\"\n",
-                     "rising speeds, from 0"},
-                    {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM_of_phi = \"1 N*m*phi/(1 rad)\"\n",
-                     "does not repeat"}});
+    check_refusals(
+        "machine.motion",
+        {{"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\n", "give the load once"},
+         {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nM = \"1 N*m\"\n", "moment of inertia of the flywheel"},
+         {"M_A = \"1 N*m\"\nJ_F = \"1 kg*m^2\"\nM = \"1 N*m\"\n", "give the motor once"},
+         {"M_K = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM = \"1 N*m\"\n", "breakdown slip"},
+         {"motor = [[\"9 rpm\", \"2 N*m\"], [\"12 rpm\", \"1 N*m\"]]\nJ_F = \"1 kg*m^2\"\nM = \"1 N*m\"\n",
+          "rising speeds, from 0"},
+         {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM_of_phi = \"1 N*m*phi/(1 rad)\"\n",
+          "does not repeat"},
+         {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM_of_phi = \"60 N*m + 30 N*m*sin(phi/2)\"\n",
+          "it is 71.48 N*m at 45 deg, and 48.52 N*m a period later"},
+         {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM_of_phi = \"60 N*m + 30 N*m*cos(720*phi)\"\n",
+          "too fast to be followed"}});
   }
 }

@@ -107,7 +107,7 @@ void take_speeds(const Motion::Input& in, const DrivenMachine& machine, const Ex
   STEP_TO(r, u_K, n_b / (in.i * r.n_min), "below that speed the torque falls with the speed");
   if (machine.motor.kind == MotorCurve::Kind::points) {
     const AngularSpeed n_l = trace.value("n_l", machine.motor.last_speed() * rad_per_s, "last point of the motor");
-    STEP_TO(r, x_n, in.i * r.n_max / n_l, "beyond its last point the line of the motor is unknown");
+    STEP_TO(r, x_n, in.i * r.n_max / n_l, "beyond its last point the motor curve is unknown");
   }
   if (!is_set(in.delta_adm)) return;
   STEP_TO(r, u_delta, r.delta / in.delta_adm, "speed fluctuation: calculated / permissible");
@@ -141,7 +141,7 @@ void take_works(const Motion::Input& in, const DrivenMachine& machine, const Mac
   const RunState& end = run.cycle.back();
   r.A_L = trace.value("A_L", load * J, "integral of the load over the period");
   r.A_M = trace.value("A_M", end.A_shaft * J, "integral of the torque of the motor over its angle");
-  const Moment A_K = trace.value("A_K", work_at_crank(machine, run) * J, "of that at the crank, by eta");
+  const Moment A_K = trace.value("A_K", work_at_crank(machine, run) * J, "work of the motor at the crank, with eta");
   STEP_TO(r, A_V, r.A_M - A_K, "loss between motor and crank");
   if (is_set(in.n_0)) r.Q = trace.value("Q", end.slip_heat * J, "integral of the torque times the slip speed");
   STEP_TO(r, P_M, r.A_M / r.t_c, "mean power at the shaft of the motor");
@@ -175,9 +175,10 @@ Motion::Result Motion::evaluate(const Input& in, Tracer& trace) {
   if (!(in_si(r.J_min) > 0.0)) return r;
   const MachineRun run = run_up(machine, false);
   if (run.end == End::no_start || run.end == End::stalled)
-    r.u_S = trace.value("u_S", run.stall, "at rest there: load over the torque of the motor");
+    r.u_S = trace.value("u_S", run.stall, "standstill: load over the torque of the motor at rest");
   if (run.end == End::runs_away && machine.motor.kind == MotorCurve::Kind::points)
-    r.x_n = trace.value("x_n", machine.motor.far_speed() / machine.motor.last_speed(), "it is not held there");
+    r.x_n = trace.value("x_n", machine.motor.far_speed() / machine.motor.last_speed(),
+                        "the speed rises beyond the last point");
   if (run.end != End::steady) return r;
   const Extremes e = extremes_of(machine, run);
   r.u_S = trace.value("u_S", 1.0 - e.E_min / e.E_max, "1 - E_min/E_max of the kinetic energy over the cycle");

@@ -153,7 +153,7 @@ s_K = 0.2
     AngularSpeed n = unset<AngularSpeed>;
     Moment M_mot = unset<Moment>, M_L = unset<Moment>;
     MassMoment J = unset<MassMoment>;
-    static constexpr Fields fields{Field{&State::phi, "phi", deg, "crank angle from the start of the cycle"},
+    static constexpr Fields fields{Field{&State::phi, "phi", deg, "crank angle, over a cycle from phi_0"},
                                    Field{&State::t, "t", sec, "time"},
                                    Field{&State::n, "n", rpm, "speed of the crank"},
                                    Field{&State::M_mot, "M_mot", N_m, "torque of the motor at its shaft"},
@@ -181,8 +181,8 @@ s_K = 0.2
   };
   static constexpr Fields results{
       Field{&Result::J_m, "J_m", kg_m2, "mean total moment of inertia at the crank, with flywheel and rotor"},
-      Field{&Result::J_min, "J_min", kg_m2, "its minimum"},
-      Field{&Result::J_max, "J_max", kg_m2, "its maximum"},
+      Field{&Result::J_min, "J_min", kg_m2, "minimum total moment of inertia at the crank"},
+      Field{&Result::J_max, "J_max", kg_m2, "maximum total moment of inertia at the crank"},
       Field{&Result::M_0, "M_0", N_m, "moment of the load at the start"},
       Field{&Result::M_start, "M_start", N_m, "starting torque of the motor, reduced to the crank"},
       Field{&Result::t_E, "t_E", sec, "time of the run-up, to 0.5 % below the speed of the steady cycle"},
@@ -190,14 +190,14 @@ s_K = 0.2
       Field{&Result::Q_E, "Q_E", J, "heat by the slip of the motor in the run-up"}.where_it_applies(),
       Field{&Result::t_c, "t_c", sec, "duration of the steady cycle"},
       Field{&Result::n_m, "n_m", rpm, "mean speed of the crank in the steady cycle"},
-      Field{&Result::n_max, "n_max", rpm, "its maximum speed"},
-      Field{&Result::n_min, "n_min", rpm, "its minimum speed"},
+      Field{&Result::n_max, "n_max", rpm, "maximum speed of the crank in the steady cycle"},
+      Field{&Result::n_min, "n_min", rpm, "minimum speed of the crank in the steady cycle"},
       Field{&Result::delta, "delta", ratio, "coefficient of speed fluctuation (n_max - n_min)/n_m"},
       Field{&Result::phi_fast, "phi_fast", deg, "crank angle of the maximum speed"},
       Field{&Result::phi_slow, "phi_slow", deg, "crank angle of the minimum speed"},
       Field{&Result::M_max, "M_max", N_m, "maximum torque of the motor in the steady cycle"},
-      Field{&Result::M_min, "M_min", N_m, "its minimum"},
-      Field{&Result::M_rms, "M_rms", N_m, "its root mean square over the time, which heats the motor"},
+      Field{&Result::M_min, "M_min", N_m, "minimum torque of the motor in the steady cycle"},
+      Field{&Result::M_rms, "M_rms", N_m, "root mean square torque of the motor over the time, which heats it"},
       Field{&Result::A_L, "A_L", J, "work of the load in a cycle"},
       Field{&Result::A_M, "A_M", J, "work of the motor in a cycle, at its shaft"},
       Field{&Result::A_V, "A_V", J, "loss between motor and crank in a cycle"},
@@ -205,7 +205,7 @@ s_K = 0.2
       Field{&Result::P_M, "P_M", W, "mean power of the motor at its shaft"},
       Field{&Result::P_L, "P_L", W, "mean power of the load"},
       Field{&Result::x_A, "x_A", ratio,
-            "energy balance of the cycle: what the works leave over, of the work or the swing of the energy"},
+            "energy balance of the cycle: difference of the works / work or energy fluctuation, the larger"},
       Field{&Result::x_t, "x_t", ratio, "difference of the steady cycle from its integration over the time"},
       Field{&Result::x_n, "x_n", ratio, "maximum speed of the motor over the last one of its line"}
           .limit(0, 1)

@@ -70,6 +70,9 @@ bool is_reached(const CycleMap& map, double low, double high) {
   return true;
 }
 
+/// Load over the torque of the motor at rest where the machine stands still, also if both are equal: above 1.
+double beyond_rest(double load, double drive) { return std::max(load / drive, 1.0 + closed); }
+
 class RunUpToSteady {
  public:
   RunUpToSteady(const Machine& machine, bool records) : machine_(machine), map_(machine), records_(records) {}
@@ -91,7 +94,7 @@ class RunUpToSteady {
     const double drive = machine_.drive(0.0), load = first.M.v_0;
     if (!(drive > load)) {
       run_.end = End::no_start;
-      if (drive > 0.0) run_.stall = load / drive;
+      if (drive > 0.0) run_.stall = beyond_rest(load, drive);
       return false;
     }
     starts_.push_back(RunState{});
@@ -107,7 +110,7 @@ class RunUpToSteady {
       if (crossing == Crossing::stops) {
         run_.end = End::stalled;
         const double drive = machine_.drive(0.0), load = std::max(cell.M.v_0, cell.M.v_1);
-        if (drive > 0.0) run_.stall = std::max(load / drive, 1.0 + closed);
+        if (drive > 0.0) run_.stall = beyond_rest(load, drive);
       }
       if (crossing == Crossing::too_fast) run_.end = End::runs_away;
       if (crossing != Crossing::done) return false;

@@ -47,13 +47,15 @@ inline double damage_sum(const BlockStresses& all, double S) {
 }
 
 /// The factor on all stresses that makes the damage sum 1. It lies between that at which the first block damages and
-/// that at which the first reaches its static limit; the sum rises with it, in steps where a curve begins.
+/// that at which the first reaches its static limit; the sum rises with it, in steps where a curve begins. Unset if no
+/// block has a torque.
 inline double factor_of_unit_damage(const BlockStresses& all) {
   double low = HUGE_VAL, high = HUGE_VAL;
   for (const BlockStress& b : all) {
     if (!(b.sigma > 0.0)) continue;
     low = std::min(low, b.curve.at_last / b.sigma), high = std::min(high, b.curve.at_rest / b.sigma);
   }
+  if (high == HUGE_VAL) return unset<double>;
   if (damage_sum(all, high * (1.0 - 1e-14)) <= 1.0) return high;
   for (int i = 0; i < 60; ++i) {
     const double S = std::sqrt(low * high);

@@ -183,6 +183,16 @@ TEST_SUITE("gear rating under a load spectrum") {
     CHECK(s.S_H1 >= r.S_H1);
   }
 
+  TEST_CASE("without any torque there is no safety factor, as in the plain rating") {
+    In in = stage_for_years();
+    in.T_1 = 0.0 * N_m;
+    in.blocks.push_back(block_of(1.0, 1.0, 900));
+    const auto r = rated_under(in);
+    for (const Safety& of : safeties) CHECK_MESSAGE(std::isnan(r.*of.S), of.name);
+    CHECK(std::isnan(r.u_H1));
+    CHECK(std::isnan(r.u_F2));
+  }
+
   TEST_CASE("a spectrum needs a life, ISO 6336, fractions that sum to 1 and a block with T_1") {
     const std::string by_iso = "standard = \"iso6336\"\nnu_40 = \"150 mm^2/s\"\n", blocks = "blocks = [{ q = 1 }]";
     const auto says = [](const std::string& lines, const std::string& words) {

@@ -122,8 +122,7 @@ void take_torques(const Motion::Input& in, const RunState& end, const Extremes& 
   STEP_TO(r, u_M, r.M_rms / in.M_n, "heat grows with the square of the torque");
 }
 
-/// Work of the motor at the crank: the change of the kinetic energy over the cycle, which the closure leaves, and the
-/// load's; against the work at its shaft by the efficiency, cell by cell.
+/// Work of the motor at the crank, from that at its shaft by the efficiency, cell by cell.
 double work_at_crank(const DrivenMachine& machine, const MachineRun& run) {
   double sum = 0.0;
   for (std::size_t k = 0; k < machine.cells.size(); ++k) {

@@ -51,9 +51,9 @@ std::optional<FixedPoint> fixed_point(const CycleMap& map, double E_1, double ne
     if (!next) return std::nullopt;
     const double error = std::abs(*next - E) / (1.0 - q);
     if (error <= 1e-11 * E) return FixedPoint{E, error / E};
-    const bool tells = std::abs(E - E_2) > 1e-9 * E;  // else the slope of the last two is only rounding
-    if (!tells && error <= closed * E) return FixedPoint{E, error / E};
-    if (tells) q = (*next - next_2) / (E - E_2);
+    const bool is_apart = std::abs(E - E_2) > 1e-9 * E;  // else the slope of the last two is only rounding
+    if (!is_apart && error <= closed * E) return FixedPoint{E, error / E};
+    if (is_apart) q = (*next - next_2) / (E - E_2);
     E_2 = E, next_2 = *next;
   }
   return std::nullopt;

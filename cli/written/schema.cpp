@@ -1,6 +1,5 @@
-// Writes the schema of project files while the program is built, which holds it: to make it takes ten times as long as
-// everything else that `loadpath schema` does. A file that would not change is left as it is, and nothing is built
-// again.
+// Writes the schema of project files during the build, for the program to embed: generating it takes ten times as long
+// as the rest of `loadpath schema`. An unchanged file is left as it is, so that nothing is built again.
 #include "calculators/catalogue.hpp"
 #include "lib/export/json.hpp"
 

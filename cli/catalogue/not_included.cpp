@@ -1,5 +1,6 @@
 #include "cli/catalogue/not_included.hpp"
 
+#include "cli/catalogue/search.hpp"
 #include "lib/calculator/record.hpp"
 #include "lib/text/search.hpp"
 
@@ -75,7 +76,7 @@ constexpr std::array all{
     NotIncluded{"three-dimensional and flexible mechanisms",
                 "spatial mechanism, three-dimensional mechanism, 3D mechanism, robot, manipulator, flexible multibody, "
                 "compliant mechanism, räumliches Getriebe, Roboter, пространственный механизм, робот",
-                "mechanism.planar"},
+                "mechanism.planar, motion.spherical_four_bar"},
     NotIncluded{"finite elements",
                 "finite element, FEM, FEA, finite element analysis, Finite Elemente, "
                 "метод конечных элементов, МКЭ",
@@ -133,7 +134,7 @@ constexpr std::array all{
 std::span<const NotIncluded> not_included() { return all; }
 
 std::vector<const NotIncluded*> not_included(std::string_view text, bool exactly) {
-  const auto searched = search_words(text);
+  const auto searched = subject_of(search_words(text));
   std::vector<const NotIncluded*> found;
   for (const NotIncluded& one : all) {
     const auto names = listed_keys(one.words);

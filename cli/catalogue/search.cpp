@@ -1,6 +1,7 @@
 #include "cli/catalogue/search.hpp"
 
 #include "calculators/catalogue.hpp"
+#include "cli/catalogue/machines.hpp"
 #include "lib/text/issue.hpp"
 #include "lib/text/search.hpp"
 
@@ -44,6 +45,16 @@ struct Searchable {
     for (std::string& synonym : listed_keys(calculator->synonyms))
       add(std::move(synonym), of_synonym, "synonym", position++);
   }
+  /// The names of the machines that it is a part of, in the order of the machine's parts.
+  void add_machines() {
+    for (const MachineWords& machine : machines()) {
+      const std::vector<std::string> parts = listed_keys(machine.parts);
+      const auto part = std::find(parts.begin(), parts.end(), id);
+      if (part == parts.end()) continue;
+      for (std::string& name : listed_keys(machine.words))
+        add(std::move(name), of_synonym, "synonym", static_cast<std::size_t>(part - parts.begin()));
+    }
+  }
 };
 
 /// The parts of a scope that say what is covered: not those that say what is not.
@@ -71,6 +82,7 @@ std::vector<Searchable> searchables() {
     one.add(id, of_id, "id");
     one.add(id.substr(id.find('.') + 1), of_id, "id");
     one.add(c->title, of_title, "title");
+    one.add_machines();
     one.add_synonyms();
     for (std::string& part : covered(c->scope)) one.add(std::move(part), of_scope, "scope");
     for (const ModeInfo& mode : c->modes) {
@@ -129,14 +141,30 @@ bool is_filler(const std::u32string& word) {
   return std::find(fillers.begin(), fillers.end(), word) != fillers.end();
 }
 
+/// Words for the work on a subject: "gearbox design" is about gearboxes.
+bool is_of_work(const std::u32string& word) {
+  static const std::array<std::u32string_view, 15> work{
+      U"design",    U"designing",    U"calculation", U"calculate", U"calculator", U"sizing", U"size", U"sizes",
+      U"selection", U"dimensioning", U"berechnung",  U"auslegung", U"расчет",     U"подбор", U"выбор"};
+  return std::find(work.begin(), work.end(), word) != work.end();
+}
+
 }  // namespace
+
+std::vector<std::u32string> subject_of(std::vector<std::u32string> words) {
+  Words subject = words;
+  std::erase_if(subject, is_of_work);
+  return subject.empty() ? words : subject;
+}
 
 Found search(std::string_view text) {
   Words searched = search_words(text);
   if (searched.size() > 1) std::erase_if(searched, is_filler);
+  const Words subject = subject_of(searched);
   std::vector<Hit> hits;
   for (const Searchable& one : searchables()) {
-    const Best best = rank_of(searched, one);
+    const Best in_full = rank_of(searched, one), by_subject = rank_of(subject, one);
+    const Best& best = by_subject.rank < in_full.rank ? by_subject : in_full;
     if (best.term != nullptr)
       hits.push_back(
           {one.calculator, one.id, one.title, reason(*best.term), best.term->where, best.rank, best.term->position});

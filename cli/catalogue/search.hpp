@@ -1,5 +1,5 @@
-// Calculators by the words of their field: in ids, titles, synonyms, scopes and failure modes, in any case, in English,
-// German and Russian.
+// Calculators by the words of their field: in ids, titles, synonyms, machines, scopes and failure modes, in any case, in
+// English, German and Russian.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"
@@ -30,6 +30,9 @@ struct Found {
 
 /// All that hold every word of the text.
 Found search(std::string_view text);
+
+/// The words without those for work on a subject, "design", "calculation"; all of them if nothing else remains.
+std::vector<std::u32string> subject_of(std::vector<std::u32string> words);
 
 /// The word of the catalogue that the text is nearest to; empty where none is near.
 std::string nearest_term(std::string_view text);

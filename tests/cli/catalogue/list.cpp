@@ -85,6 +85,27 @@ TEST_SUITE("cli list") {
     }
   }
 
+  TEST_CASE("the name of a machine finds the calculators of its parts, the first of them first") {
+    const std::vector<std::pair<const char*, const char*>> words{
+        {"fan", "belt.v_sizing"},   {"conveyor", "drive.train"},        {"lift", "dynamics.lift"},
+        {"gearbox", "drive.train"}, {"compressor", "mechanism.planar"}, {"wobble drive", "motion.spherical_four_bar"}};
+    const Desk desk;
+    for (const auto& word : words) {
+      CAPTURE(std::string(word.first));
+      CHECK(first_of(desk.run({"list", word.first}).out) == word.second);
+    }
+    const std::string gearbox = desk.run({"list", "gearbox"}).out;
+    for (const char* part : {"gear.pair", "gear.rating", "shaft.design", "bearing.rolling", "shaft.key"})
+      CHECK(contains(gearbox, std::string("\n") + part + " "));
+  }
+
+  TEST_CASE("words for the work on a subject do not narrow a search") {
+    const Desk desk;
+    CHECK(desk.run({"list", "gearbox design"}).out == desk.run({"list", "gearbox"}).out);
+    CHECK(first_of(desk.run({"list", "shaft design"}).out) == "shaft.design");
+    CHECK(desk.run({"list", "bolt design"}).out == desk.run({"list", "bolt"}).out);
+  }
+
   TEST_CASE("several words need no quotation marks") {
     CHECK(loadpath_with({"list", "press", "fit"}).out == loadpath_with({"list", "press fit"}).out);
     CHECK(loadpath_with({"list", "press", "fit"}).code == 0);

@@ -65,6 +65,27 @@ bool MotionStep::counts_inertia_twice(const project::Operand& operand, const pro
   return false;
 }
 
+bool MotionStep::has_wrong_sign(const project::Operand& operand, std::vector<Issue>& issues) const {
+  if (operand.path != "M") return false;
+  const std::string_view text = operand.text;
+  const bool has_minus = text.find('-') != std::string_view::npos, is_negative = text.starts_with('-');
+  for (const auto& reference : operand.expression.references()) {
+    const std::string& path = reference.path;
+    if (path.ends_with(".drive.M_red") && !has_minus)
+      issues.push_back(project::issue_at(
+          input(), "M", say("'{1}' is positive in the direction of motion, but a load M against it", path),
+          say("take \"=-{1}\"", path)));
+    else if (path.ends_with(".drive.M") && is_negative)
+      issues.push_back(project::issue_at(input(), "M",
+                                         say("'{1}' is the torque that overcomes the load, positive like M", path),
+                                         say("take \"={1}\"", path)));
+    else
+      continue;
+    return true;
+  }
+  return false;
+}
+
 bool MotionStep::fill(const project::Operand& operand, const Value& series, std::vector<Issue>& issues) {
   const auto refuse = [&](Message message, Message hint = {}) {
     issues.push_back(project::issue_at(input(), operand.path, std::move(message), std::move(hint)));
@@ -103,7 +124,7 @@ void MotionStep::solve(const project::Known& known, const project::Wanted& wante
   motion_of(own()).inertia_series.clear();
   std::vector<Value> all;
   for (const project::Operand& operand : whole) {
-    if (counts_inertia_twice(operand, known, issues)) return;
+    if (counts_inertia_twice(operand, known, issues) || has_wrong_sign(operand, issues)) return;
     auto series = project::evaluate_operand(operand, name(), known, issues);
     if (!series || !fill(operand, *series, issues)) return;
     all.push_back(std::move(*series));

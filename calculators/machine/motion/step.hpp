@@ -25,6 +25,8 @@ class MotionStep : public project::CalculatorStep {
   /// Whether the load may be a moment that includes inertia forces, while nothing says so.
   bool counts_inertia_twice(const project::Operand& operand, const project::Known& known,
                             std::vector<Issue>& issues) const;
+  /// Whether the load is a series of a mechanism that has the other sign than M.
+  bool has_wrong_sign(const project::Operand& operand, std::vector<Issue>& issues) const;
 };
 
 std::unique_ptr<project::Step> make_motion_step(project::StepInput&& input);

@@ -53,6 +53,15 @@ TEST_SUITE("machine motion") {
     CHECK(contains(twice.issues.front().message.text(), "includes the inertia forces"));
   }
 
+  TEST_CASE("a moment of a mechanism with the sign of a driving moment is refused as a load") {
+    for (const std::string load : {"M = \"=press.drive.M_red\"\n", "M = \"=-press.drive.M\"\nn_M = \"300 rpm\"\n"}) {
+      CAPTURE(load);
+      const CrankPress turned(load);
+      REQUIRE(loadpath::has_errors(turned.issues));
+      CHECK(contains(turned.issues.front().message.text(), "positive"));
+    }
+  }
+
   TEST_CASE("a straight motor runs up a constant load as an exponential of the time") {
     const auto r = machine(straight + "J_F = \"20 kg*m^2\"\nM = \"60 N*m\"\n");
     CHECK(near(r("t_E"), tau * std::log(200.0), 1e-6));

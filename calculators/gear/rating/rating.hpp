@@ -303,7 +303,7 @@ S_Fmin = 1.4
                     return in.standard == RatingStandard::din3990 || (is_set(in.nu_40) && rough);
                   },
                   "standard, nu_40, R_z1, R_z2",
-                  "ISO 6336-2 needs nu_40, the viscosity of the oil, and the roughness of both gears"},
+                  "ISO 6336-2 needs the viscosity of the oil, nu_40, and the roughness of the flanks, R_z1 and R_z2"},
       Rule<Input>{[](const Input& in) {
                     return in.standard == RatingStandard::iso6336 || (!is_set(in.s_R1) && !is_set(in.s_R2));
                   },
@@ -326,7 +326,7 @@ S_Fmin = 1.4
       Rule<Input>{[](const Input& in) { return leaves_middle(in) || !is_set(in.s); }, "place, s",
                   "midway between the bearings s is zero: for another position name a to e"},
       Rule<Input>{[](const Input& in) { return in.place != Place::untold; }, "place",
-                  "give the position of the pinion relative to the bearings: middle, or a to e"},
+                  "give the position of the pinion relative to the bearings: place = \"middle\", or \"a\" to \"e\""},
       Rule<Input>{
           &is_in_place, "place, l, s, d_sh, b",
           "an overhung pinion (c) has s above l/2, one between the bearings (a, b, d, e) below; the span is wider "

@@ -20,6 +20,18 @@ namespace {
 
 bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
+/// The end of ", gear 1" that begins there: one of two elements, without which their rows look the same; npos if
+/// another text follows.
+std::size_t end_of_element(std::string_view name, std::size_t comma) {
+  constexpr auto letters = "abcdefghijklmnopqrstuvwxyz", digits = "0123456789";
+  if (comma >= name.size()) return std::string::npos;
+  const std::size_t word = comma + 2, blank = name.find_first_not_of(letters, word);
+  if (blank == std::string::npos || blank == word || name[blank] != ' ') return std::string::npos;
+  const std::size_t end = std::min(name.size(), name.find_first_not_of(digits, blank + 1));
+  const bool is_last = end == name.size() || name[end] == ';' || name[end] == ',' || name.substr(end).starts_with(" (");
+  return end > blank + 1 && is_last ? end : std::string::npos;
+}
+
 }  // namespace
 
 std::string with_greek(std::string_view words) {
@@ -39,8 +51,10 @@ std::string with_greek(std::string_view words) {
 
 std::string short_name(const Entry& entry) {
   std::string name = with_greek(say("{1}", entry.doc).text());
-  const std::size_t end = std::min({name.find(" ("), name.find(':'), name.find(';'), name.find(", ")});
-  if (end != std::string::npos) name.resize(end);
+  const std::size_t comma = name.find(", ");
+  const std::size_t end = std::min({name.find(" ("), name.find(':'), name.find(';'), comma});
+  const std::size_t element = end == comma ? end_of_element(name, comma) : std::string::npos;
+  if (end != std::string::npos) name.resize(std::min(name.size(), element == std::string::npos ? end : element));
   const std::string owner = owner_of(entry.path);
   return owner.empty() ? name : owner + ": " + name;
 }

@@ -33,7 +33,10 @@ std::string twisted_by(const Input& in, Way way) {
 Message how_to_balance(const Input& in) {
   const std::string drive = twisted_by(in, Way::drives), take = twisted_by(in, Way::takes);
   if (drive.empty() && !take.empty())
-    return say("no component drives: write way = \"drives\" for one, or way = \"balances\" for a coupling without T");
+    return say(
+        "{1}: way = \"takes\"; write way = \"drives\" for what drives the shaft, or way = \"balances\" for a coupling "
+        "without T",
+        take);
   if (take.empty() && !drive.empty())
     return say("{1}: way = \"drives\"; write way = \"takes\" for what is driven, or way = \"balances\" without T",
                drive);

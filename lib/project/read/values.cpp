@@ -29,6 +29,27 @@ void Reader::read_quantity(const Tree& tree, const FieldInfo& field, void* owner
   }
 }
 
+namespace {
+
+/// "give a value; "?" is possible for m_n and T_1": the inputs of the step that have a stock, then largest loads.
+Message searched_instead(const Record& record) {
+  constexpr std::size_t most = 4;
+  std::vector<std::string> keys;
+  const auto add = [&](const auto& is_wanted) {
+    for (const FieldInfo& field : record.type->fields) {
+      if (field.type == FieldInfo::Type::quantity && is_wanted(field) && keys.size() < most)
+        keys.emplace_back(field.key);
+    }
+  };
+  add([](const FieldInfo& field) { return *field.searched_in != '\0'; });
+  add([](const FieldInfo& field) { return *field.searched_in == '\0' && field.can_be_largest(); });
+  std::string names;
+  for (const std::string& key : keys) names += (names.empty() ? "" : ", ") + key;
+  return names.empty() ? say("give a value") : say("give a value; \"?\" is possible for {1}", names);
+}
+
+}  // namespace
+
 void Reader::read_text_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (tree.text == "?") return read_search(tree, field, owner, path);
   if (tree.text.starts_with('?'))
@@ -40,7 +61,7 @@ void Reader::read_text_quantity(const Tree& tree, const FieldInfo& field, void* 
 
 void Reader::read_search(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (*field.searched_in == '\0' && !field.can_be_largest())
-    return say_at(tree.place, path, say("'{1}' cannot be searched for", path), say("give a value"));
+    return say_at(tree.place, path, say("'{1}' cannot be searched for", path), searched_instead(reading_.record));
   reading_.searches.push_back({path, {&field, owner}, field.searched_in, tree.place});
 }
 
@@ -63,7 +84,7 @@ void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner,
   if (field.takes_whole() && is_history(tree)) return read_history_of(tree, field, owner, path);
   if (const auto* stock = tree.find("stock")) {
     if (*field.searched_in == '\0')
-      return say_at(stock->place, path, say("'{1}' cannot be searched for", path), say("give a value"));
+      return say_at(stock->place, path, say("'{1}' cannot be searched for", path), searched_instead(reading_.record));
     if (stock->value.type != Tree::Type::text)
       return say_at(stock->value.place, path, say("a stock is one name, not {1}", toml::word_for(stock->value.type)),
                     say("`loadpath tables` lists the stocks: {1} = { stock = \"R20\" }", field.key));

@@ -110,13 +110,18 @@ class Check {
     }
   }
 
+  /// A power divided by an angular velocity has the dimension of a torsional stiffness, and is meant as a torque.
+  [[nodiscard]] static std::string name_in_sum(const Dimension& dimension) {
+    return dimension == Dimension::of(2, 1, -2, 0, -1) ? "torque" : std::string(name_of(dimension));
+  }
+
   [[nodiscard]] static Dimensioned like(const Node& node, const Signatures& kids, std::string_view rule) {
     for (const Signature& kid : kids) {
       if (alike(kid, kids.front())) continue;
       const auto& a = kids.front().dimension;
       const auto& b = kid.dimension;
       const bool bare = a.is_number() || b.is_number();
-      return fault(node, say(rule, name_of(a), name_of(b)),
+      return fault(node, say(rule, name_in_sum(a), name_in_sum(b)),
                    bare ? say("give the number a unit") : say("both must have the same dimension"));
     }
     return kids.front().dimension;

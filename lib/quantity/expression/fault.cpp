@@ -108,7 +108,7 @@ void Parser::fail_bare_name(std::size_t end) {
   const auto word = slice(next_, end);
   const bool may_be_pi = word.size() > 1 && (variables_.empty() || word.size() == 2);  // phi is a variable
   const auto constant = may_be_pi ? nearest(word, {"pi"}) : std::string{};
-  Message hint = say("write step.path, as in lever.drive.M");
+  Message hint = say("write {1}.RESULT, as in lever.drive.M; a shared value is values.{1}", word);
   if (!variables_.empty()) hint = variable_hint(std::string(word));
   if (find_function(word) != nullptr) {
     hint = say("write {1}", find_function(word)->form);

@@ -46,6 +46,27 @@ std::vector<std::string> named_elements(const StepInput& input) {
   return paths;
 }
 
+namespace {
+
+/// "did you mean 'shaft.pieces.seat.d' or 'shaft.seats.gear.d'?": the first members of this key, of inputs and results.
+Message member_called(const StepInput& input, std::string_view key) {
+  std::vector<std::string> paths;
+  for (const FieldInfo& list : input.calculator->input->fields) {
+    if (name_in(list) == nullptr || find_field(list.fields, key) == nullptr) continue;
+    for (const std::string& name : names_for(list, input)) paths.push_back(std::string(list.key) + "." + name);
+  }
+  for (const std::string& element : named_elements(input)) {
+    const FieldInfo* const list = find_field(input.calculator->result->fields, element.substr(0, element.find('.')));
+    if (find_field(list->fields, key) != nullptr) paths.push_back(element);
+  }
+  if (paths.empty()) return {};
+  const auto shown = [&](const std::string& element) { return input.name + "." + element + "." + std::string(key); };
+  return paths.size() == 1 ? say("did you mean '{1}'?", shown(paths[0]))
+                           : say("did you mean '{1}' or '{2}'?", shown(paths[0]), shown(paths[1]));
+}
+
+}  // namespace
+
 Fault unknown_path(const StepInput& input, const std::string& path) {
   std::vector<std::string> known;
   Record blank(*input.calculator->result);
@@ -54,7 +75,8 @@ Fault unknown_path(const StepInput& input, const std::string& path) {
     if (f.is_handed_over) known.emplace_back(f.key);
     for (const FieldInfo& inner : f.fields) known.push_back(std::string(f.key) + "[1]." + inner.key);
   }
-  Message otherwise = say("`loadpath describe {1}` lists them", input.calculator->id);
+  Message otherwise = member_called(input, path);
+  if (otherwise.empty()) otherwise = say("`loadpath describe {1}` lists them", input.calculator->id);
   for (const std::string& element : named_elements(input)) {
     known.push_back(element);
     const FieldInfo* const list = find_field(input.calculator->result->fields, element.substr(0, element.find('.')));

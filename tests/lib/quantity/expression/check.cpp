@@ -40,6 +40,7 @@ TEST_SUITE("quantity") {
   TEST_CASE("unlike quantities are neither added nor compared") {
     const Wrong rows[] = {
         {"2*(1 N + 1 mm)", "(1 N + 1 mm)", "force and length cannot be added", kind_hint},
+        {"1 kW/(10 rad/s) + 3 N", "1 kW/(10 rad/s) + 3 N", "torque and force cannot be added", kind_hint},
         {"1 N - shaft.d", "1 N - shaft.d", "length cannot be subtracted from force", kind_hint},
         {"lever.drive.M + 2", "lever.drive.M + 2", "moment and plain number cannot be added", unit_hint},
         {"min(1 N, 2 N, 3 m)", "min(1 N, 2 N, 3 m)", "force and length cannot be compared", kind_hint},

@@ -183,11 +183,14 @@ TEST_SUITE("quantity") {
          "cos, tan, "
          "asin, acos, atan, atan2, mises"},
         {"2*PI", "PI", "'PI' is not a complete reference", "did you mean 'pi'?"},
-        {"length + 2", "length", "'length' is not a complete reference", "write step.path, as in lever.drive.M"},
+        {"length + 2", "length", "'length' is not a complete reference",
+         "write length.RESULT, as in lever.drive.M; a shared value is values.length"},
         {"2*d", "d", "'d' is not a complete reference",
          "write step.path, as in lever.drive.M; a unit needs a number: 1 d"},
-        {"lever . mass", "lever", "'lever' is not a complete reference", "write step.path, as in lever.drive.M"},
-        {"shaft[2]", "shaft", "'shaft' is not a complete reference", "write step.path, as in lever.drive.M"},
+        {"lever . mass", "lever", "'lever' is not a complete reference",
+         "write lever.RESULT, as in lever.drive.M; a shared value is values.lever"},
+        {"shaft[2]", "shaft", "'shaft' is not a complete reference",
+         "write shaft.RESULT, as in lever.drive.M; a shared value is values.shaft"},
         {"2*peak", "peak", "'peak' is not a complete reference", "write peak(series)"},
     };
     for (const auto& row : rows) check_wrong(row);

@@ -34,7 +34,7 @@ Message how_to_balance(const Input& in) {
   const std::string drive = twisted_by(in, Way::drives), take = twisted_by(in, Way::takes);
   if (drive.empty() && !take.empty())
     return say(
-        "{1}: way = \"takes\"; write way = \"drives\" for what drives the shaft, or way = \"balances\" for a coupling "
+        "{1}: way = \"takes\"; write way = \"drives\" for the driving component, or way = \"balances\" for a coupling "
         "without T",
         take);
   if (take.empty() && !drive.empty())

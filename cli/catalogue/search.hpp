@@ -1,5 +1,5 @@
-// Calculators by the words of their field: in ids, titles, synonyms, machines, scopes and failure modes, in any case, in
-// English, German and Russian.
+// Calculators by the words of their field: in ids, titles, synonyms, machines, scopes and failure modes, in any case,
+// in English, German and Russian.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"

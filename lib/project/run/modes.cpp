@@ -101,19 +101,20 @@ void add_stated_load(const Evaluation& evaluation, account::Modes& modes) {
   }
 }
 
-/// A temperature that only [values] state, of a step without a mode of strength that could show it: a fatigue limit.
-void add_temperature(const Evaluation& evaluation, account::Modes& modes) {
+/// A contradiction of [values] to a step without a mode of strength that could show it: the mass of a moving body.
+void add_contradiction(const Evaluation& evaluation, account::Modes& modes) {
+  const Step& step = evaluation.step();
   const auto& all = evaluation.calculator().modes;
-  if (std::any_of(all.begin(), all.end(), [](const ModeInfo& m) { return m.kind == ModeKind::strength; })) return;
-  const FieldInfo* const heat = find_field(evaluation.calculator().input->fields, "T");
-  if (heat == nullptr || heat->dimension.twelfths[Dimension::temperature] == 0) return;
-  for (const ReducedLoad& value : evaluation.step().loads().reduced) {
-    if (value.path != "T") continue;
+  const bool has_strength =
+      std::any_of(all.begin(), all.end(), [](const ModeInfo& m) { return m.kind == ModeKind::strength; });
+  if (has_strength || !step.contradictions()) return;
+  for (const ReducedLoad& value : step.loads().reduced) {
+    if (std::ranges::find(*step.contradictions(), value) == step.contradictions()->end()) continue;
     account::Mode mode;
-    mode.step = evaluation.step().name();
+    mode.step = step.name();
     mode.subject = account::Subject::input;
-    mode.id = "stated_temperature";
-    mode.title = say("temperature of the part");
+    mode.id = "stated_values";
+    mode.title = say("values stated and not taken");
     mode.kind = ModeKind::shape;
     mode.note = value.message;
     modes.push_back(std::move(mode));
@@ -167,7 +168,7 @@ void add_modes(const Evaluation& evaluation, const Results& results, const Weigh
                const std::vector<account::Verdict>& verdicts, account::Modes& modes) {
   add_missing_input(evaluation, results, modes);
   add_missing_load(evaluation, results, verdicts, modes);
-  add_temperature(evaluation, modes);
+  add_contradiction(evaluation, modes);
   add_stated_load(evaluation, modes);
   add_handed_on(evaluation, weighed, modes);
   const Calculator& calculator = evaluation.calculator();

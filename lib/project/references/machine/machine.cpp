@@ -15,6 +15,7 @@
 #include "lib/project/references/machine/unlinked.hpp"
 #include "lib/project/references/machine/vessels.hpp"
 #include "lib/project/references/reductions.hpp"
+#include "lib/project/references/stated/stated.hpp"
 
 namespace loadpath::project {
 
@@ -22,7 +23,7 @@ std::vector<ReducedLoad> stated_and_not_taken(const Step& step, const Project& p
   std::vector<ReducedLoad> all;
   for (const auto& found :
        {loads_left_out(step, project), loads_of_mechanism(step, project), repetitions_of_others(step, project),
-        values_of_idle_steps(step, project), values_of_drives(step, project)})
+        values_of_idle_steps(step, project), values_of_drives(step, project), values_not_taken(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

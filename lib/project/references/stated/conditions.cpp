@@ -1,0 +1,244 @@
+#include "lib/project/references/stated/conditions.hpp"
+
+#include "lib/project/references/agreement/stated_names.hpp"
+#include "lib/project/references/origins.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double in_few_digits = 1e-3;
+
+const Dimension length = Dimension::of(1, 0, 0);
+const Dimension pressure = Dimension::of(-1, 1, -2);
+const Dimension rate = Dimension::of(0, 0, -1);
+const Dimension duration = Dimension::of(0, 0, 1);
+const Dimension heat = [] {
+  Dimension dimension;
+  dimension.twelfths[Dimension::temperature] = Dimension::one;
+  return dimension;
+}();
+
+class Conditions {
+ public:
+  Conditions(const Step& step, const Project& project)
+      : step_(step), project_(project), id_(step.input().calculator->id) {}
+
+  std::vector<ReducedLoad> run() {
+    for (const auto& [name, value] : project_.values.unused()) {
+      const Dimension& dimension = value.signature.dimension;
+      const double si = value.si.front();
+      if (dimension.is_number()) compare_number(name, si);
+      if (dimension.without_angle() == rate) compare_overspeed(name, std::abs(si));
+      if (dimension == length) compare_opening(name);
+      if (dimension == pressure) compare_residual(name, si);
+      if (dimension == heat) compare_cold(name, si);
+      if (dimension == duration && is_of_life(name)) compare_life(name, si);
+    }
+    for (const auto& [name, word] : project_.values.unused_words()) compare_surroundings(name, word);
+    return std::move(found_);
+  }
+
+ private:
+  void add(const std::string& key, Message message) { found_.push_back({key, std::move(message)}); }
+
+  void add_number(const std::string& name, double si, const std::string& key, double here) {
+    add(key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or justify it: "
+                 "because.{3} = \"...\"",
+                 name, format_number(si, 5), key, format_number(here, 5)));
+  }
+
+  [[nodiscard]] const FieldInfo* field(std::string_view key) const {
+    return find_field(step_.input().calculator->input->fields, key);
+  }
+  [[nodiscard]] double own(const std::string& key) const { return own_value(step_, project_, key); }
+  [[nodiscard]] bool has_mode(std::string_view mode) const {
+    return std::ranges::any_of(step_.input().calculator->modes, [&](const ModeInfo& one) { return one.id == mode; });
+  }
+  [[nodiscard]] bool is_accepted(const std::string& mode) const { return step_.input().accepted.contains(mode); }
+
+  void compare_number(const std::string& name, double si) {
+    compare_reliability(name, si);
+    compare_seam(name, si);
+    compare_partial(name, si);
+    compare_dynamic(name, si);
+    compare_cycles(name, si);
+    compare_passages(name, si);
+    compare_years(name, si);
+  }
+
+  /// "reliability = 0.99" next to a rating life of 90 %.
+  void compare_reliability(const std::string& name, double si) {
+    constexpr double usual = 0.9;
+    if (!has_word(name, {"reliability", "survival"}) || !(si > usual && si < 1.0)) return;
+    if (field("R") == nullptr || field("L_h") == nullptr || own("a_1") < 1.0) return;
+    const double here = std::isnan(own("R")) ? usual : own("R");
+    if (si > here) add_number(name, si, "R", here);
+  }
+
+  /// "weld_factor = 0.85" next to a seam of 1.
+  void compare_seam(const std::string& name, double si) {
+    if (!has_word(name, {"weld", "seam", "joint"}) || !has_word(name, {"factor", "efficiency", "coefficient"})) return;
+    if (field("z_l") == nullptr || !(si > 0.0 && si < (1.0 - in_few_digits) * own("z_l"))) return;
+    add_number(name, si, "z_l", own("z_l"));
+  }
+
+  /// "gamma_Q = 1.5" next to gamma_F = 1.
+  void compare_partial(const std::string& name, double si) {
+    if (name != "gamma_Q" && name != "gamma_G" && name != "gamma_load") return;
+    if (field("gamma_F") == nullptr || !(si > (1.0 + in_few_digits) * own("gamma_F"))) return;
+    add_number(name, si, "gamma_F", own("gamma_F"));
+  }
+
+  /// A factor of the load of a part without an application factor, or with 1: "phi = 1.15" of a crane.
+  void compare_dynamic(const std::string& name, double si) {
+    constexpr double most = 5.0;
+    constexpr std::array<std::string_view, 9> names{"phi", "phi_dyn",        "f_dyn",       "k_dyn",        "f_w",
+                                                    "f_s", "dynamic_factor", "load_factor", "impact_factor"};
+    const bool is_one = std::ranges::find(names, std::string_view(name)) != names.end() || (name == "f" && is_pin());
+    if (!is_one || !(si > 1.0 + in_few_digits && si <= most) || own("K_A") > 1.0 || own("gamma_F") > 1.0) return;
+    for (const char* const key : {"F", "F_r", "T", "P", "N"}) {
+      const FieldInfo* const load = field(key);
+      if (load == nullptr || !load->is_load || !step_.input().reading.typed.contains(key)) continue;
+      return add(key, say("values.{1} = {2} acts on no step: refer to it, delete it, or justify it: "
+                          "because.{3} = \"...\"",
+                          name, format_number(si, 5), key));
+    }
+  }
+
+  [[nodiscard]] bool is_pin() const { return id_.starts_with("pin."); }
+
+  [[nodiscard]] static bool is_of_fatigue(const Step& step) {
+    return step.input().calculator != nullptr && std::string_view(step.input().calculator->id).starts_with("fatigue.");
+  }
+
+  /// Load cycles of a part whose fatigue nothing assesses.
+  void compare_cycles(const std::string& name, double si) {
+    constexpr double fewest = 1e4;
+    if (name != "N" && !has_word(name, {"cycles"})) return;
+    const bool is_assessed = std::ranges::any_of(project_.steps, [](const auto& one) { return is_of_fatigue(*one); });
+    if (!(si >= fewest) || is_assessed || !has_mode("fatigue") || is_accepted("fatigue") || field("N") != nullptr)
+      return;
+    if (field("L_h") != nullptr) return;  // its life is assessed
+    for (const char* const key : {"p", "F", "T", "P", "N"}) {
+      if (field(key) == nullptr) continue;
+      return add(key, say("values.{1} = {2} acts on no step, and fatigue is not assessed: add a step of fatigue.life, "
+                          "or accept.fatigue = \"...\"",
+                          name, format_number(si, 5)));
+    }
+  }
+
+  /// Repetitions of a history under another word.
+  void compare_passages(const std::string& name, double si) {
+    if (field("n_req") == nullptr || !has_word(name, {"passages", "passes", "starts", "trips"})) return;
+    if (si > (1.0 + in_few_digits) * own("n_req")) add_number(name, si, "n_req", own("n_req"));
+  }
+
+  /// Years of service that enter no life.
+  void compare_years(const std::string& name, double si) {
+    if (name != "years" || !(si > 0.0) || field("n_req") != nullptr || field("L_h") != nullptr) return;
+    if (field("N") == nullptr || std::isnan(own("N"))) return;
+    add("N", say("values.years = {1} acts on no step, and N is {2}: refer to it, delete it, or justify it: because.N = "
+                 "\"...\"",
+                 format_number(si, 5), format_number(own("N"), 5)));
+  }
+
+  /// A life next to fewer repetitions of a history of known duration.
+  void compare_life(const std::string& name, double si) {
+    if (field("n_req") == nullptr || field("t") == nullptr || field("L_h") != nullptr) return;
+    const double here = own("n_req") * own("t");
+    if (!(si > (1.0 + in_few_digits) * here)) return;
+    add("n_req", say("values.{1} = {2} acts on no step, and n_req t is {3}: refer to it, delete it, or justify it: "
+                     "because.n_req = \"...\"",
+                     name, format_quantity(si, "h", 5), format_quantity(here, "h", 5)));
+  }
+
+  /// "n_over", "n_trip" above the speed of a rotating part; a much higher one is that of another shaft.
+  void compare_overspeed(const std::string& name, double si) {
+    constexpr double most = 3.0;
+    if (!has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin"}) || field("n") == nullptr) return;
+    const auto has_it = [&](const auto& one) { return std::abs(own_value(*one, project_, "n")) >= si * (1.0 - 1e-3); };
+    const double here = std::abs(own("n"));
+    if (!(si > here && si <= most * here) || std::ranges::any_of(project_.steps, has_it)) return;
+    add("n", say("values.{1} = {2} acts on no step, and n is {3}: refer to it, delete it, or justify it: because.n = "
+                 "\"...\"",
+                 name, format_quantity(si, "rpm", 5), format_quantity(here, "rpm", 5)));
+  }
+
+  /// A nozzle or a manhole of a vessel, whose reinforcement is assessed elsewhere; holes of a disc.
+  void compare_opening(const std::string& name) {
+    if (!has_word(name, {"nozzle", "nozzles", "opening", "openings", "manhole", "hole", "holes", "branch"})) return;
+    if (has_mode("nozzles") && !is_accepted("nozzles") && field("p") != nullptr)
+      add("p", say("values.{1} acts on no step, and the reinforcement of openings is not assessed: assess it "
+                   "separately, accept.nozzles = \"...\", or delete the value",
+                   name));
+    if (id_ == "machine.disc" && has_word(name, {"hole", "holes"}) && !is_accepted("notches"))
+      add("D", say("values.{1} acts on no step, and the stress concentration at holes is not assessed: assess it "
+                   "separately, accept.notches = \"...\", or delete the value",
+                   name));
+  }
+
+  /// A residual stress next to a cycle without it.
+  void compare_residual(const std::string& name, double si) {
+    if (!(si > 0.0) || !has_word(name, {"res", "residual"}) || !is_of_fatigue(step_)) return;
+    for (const char* const key : {"sigma_m", "sigma_max", "sigma", "S_D"}) {
+      if (field(key) == nullptr) continue;
+      return add(key, say("values.{1} = {2} acts on no step, and raises the mean stress: add it to the cycle, or "
+                          "because.{3} = \"...\"",
+                          name, format_quantity(si, "MPa", 5), key));
+    }
+  }
+
+  /// A temperature at which structural steels may be brittle: below -20 degC, from memory.
+  void compare_cold(const std::string& name, double si) {
+    constexpr double least = 253.15;
+    const bool is_temperature = has_word(name, {"t", "theta", "temperature", "ambient"});
+    const bool is_meant = has_word(name, {"min", "design", "ambient", "service", "operating", "temperature", "low"}) ||
+                          has_only_words(name, {"t", "theta"});
+    if (!(si < least) || !is_temperature || !is_meant || is_accepted("low_temperature") || is_accepted("brittle"))
+      return;
+    const bool is_cold_mode = has_mode("low_temperature");
+    if (!is_cold_mode && !has_mode("brittle")) return;
+    for (const char* const key : {"p", "T", "n", "D"}) {
+      if (field(key) == nullptr) continue;
+      return add(key, say("values.{1} = {2} acts on no step, and brittle fracture is not assessed: assess it "
+                          "separately, accept.{3} = \"...\", or delete the value",
+                          name, format_quantity(si, "degC", 4), is_cold_mode ? "low_temperature" : "brittle"));
+    }
+  }
+
+  /// A corrosive environment next to fatigue strengths in air.
+  void compare_surroundings(const std::string& name, const std::string& word) {
+    if (!has_word(name, {"environment", "atmosphere", "surroundings", "medium"})) return;
+    const auto says = [&](std::string_view part) { return word.find(part) != std::string::npos; };
+    const bool is_corrosive = says("corros") || says("sea") || says("salt") || says("acid") || says("chlor");
+    if (!is_corrosive || is_accepted("surroundings") || is_accepted("corrosion")) return;
+    const bool has_corrosion = has_mode("surroundings") || has_mode("corrosion");
+    if (!has_corrosion || !(is_of_fatigue(step_) || id_ == "shaft.design")) return;
+    const char* const mode = has_mode("surroundings") ? "surroundings" : "corrosion";
+    add(mode, say("values.{1} = {2} acts on no step, and corrosion is not assessed: assess it separately, accept.{3} = "
+                  "\"...\", or delete the value",
+                  name, word, mode));
+  }
+
+  const Step& step_;
+  const Project& project_;
+  std::string_view id_;
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> conditions_stated_only(const Step& step, const Project& project) {
+  return Conditions(step, project).run();
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,180 @@
+#include "lib/project/references/stated/own_inputs.hpp"
+
+#include "lib/calculator/strength_bounds.hpp"
+#include "lib/project/references/origins.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double in_few_digits = 1e-3;  // of values with few digits
+
+const Dimension length = Dimension::of(1, 0, 0);
+const Dimension mass = Dimension::of(0, 1, 0);
+const Dimension speed = Dimension::of(1, 0, -1);
+const Dimension rate = Dimension::of(0, 0, -1);
+const Dimension density = Dimension::of(-3, 1, 0);
+const Dimension heat = [] {
+  Dimension dimension;
+  dimension.twelfths[Dimension::temperature] = Dimension::one;
+  return dimension;
+}();
+
+bool is_equal(double a, double b) { return std::abs(a - b) <= in_few_digits * std::max(std::abs(a), std::abs(b)); }
+
+const FieldInfo* input_of(const Step& step, std::string_view key) {
+  const Calculator* const calculator = step.input().calculator;
+  const bool has_record = calculator != nullptr && step.input().reading.record.data != nullptr;
+  return has_record ? find_field(calculator->input->fields, key) : nullptr;
+}
+
+/// The value of an input: typed, of a row, of a record or found.
+double known(const Step& step, const Project& project, const std::string& key) {
+  const double here = own_value(step, project, key);
+  return std::isnan(here) ? magnitude_at(project, step.name() + "." + key) : here;
+}
+
+/// The word of a choice; empty where it has none.
+std::string word_at(const Step& step, const std::string& key) {
+  const Leaf leaf = find_leaf(step.input().reading.record, key);
+  if (!leaf || leaf.field->type != FieldInfo::Type::choice || std::isnan(leaf.get())) return {};
+  const auto k = static_cast<std::size_t>(leaf.get());
+  return k < leaf.field->choices.size() ? leaf.field->choices[k].key : std::string();
+}
+
+bool is_strength(std::string_view what) {
+  return strength_bound_of(what) != nullptr || what == allowable_in_normal || what == allowable_in_shear;
+}
+
+/// Sizes and masses: their names are those of many parts.
+bool is_of_body(const Dimension& dimension) {
+  return dimension == length || dimension == mass || dimension == Dimension::of(2, 0, 0);
+}
+
+/// The efficiency of a seam: a factor that is worse if it is smaller.
+bool is_of_seam(std::string_view name) { return name == "z_l" || name == "z_c" || name == "z"; }
+
+class OwnInputs {
+ public:
+  OwnInputs(const Step& step, const Project& project) : step_(step), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    for (const auto& [name, value] : project_.values.unused())
+      compare(name, value.si.front(), value.signature.dimension);
+    for (const auto& [name, word] : project_.values.unused_words()) compare_word(name, word);
+    return std::move(found_);
+  }
+
+ private:
+  /// Inputs that this file does not compare: loads and factors have rules of their own, as have shaft speeds and
+  /// temperatures; one letter without a unit is the name of too much.
+  [[nodiscard]] static bool is_compared(const FieldInfo& field, const std::string& name, const Dimension& dimension) {
+    const bool is_short = name.size() == 1 && dimension.is_number() && name != "N";
+    const bool is_absolute_heat = dimension == heat && !name.starts_with("dT");
+    const bool is_number = field.is_number() || field.type == FieldInfo::Type::count;
+    return is_number && field.dimension == dimension && !field.is_load && (!field.is_factor || is_of_seam(name)) &&
+           !is_short && !is_absolute_heat && dimension.without_angle() != rate;
+  }
+
+  void compare(const std::string& name, double stated, const Dimension& dimension) {
+    const FieldInfo* const field = input_of(step_, name);
+    if (field == nullptr || !is_compared(*field, name, dimension) || is_taken_elsewhere(name, stated)) return;
+    const double here = known(step_, project_, name);
+    if (std::isnan(here)) {
+      if (is_missed(name, dimension, stated)) add(*field, stated, say("is not given here"));
+      return;
+    }
+    const bool is_one_of_many = is_of_body(dimension) && name != "c_t" && steps_with(name) > 1;
+    if (is_equal(here, stated) || is_safe(name, here, stated) || is_one_of_many) return;
+    add(*field, stated, say("is {1} here", shown(*field, here)));
+  }
+
+  /// Whether a value that the step does not have changes its assessment: a requirement, an eccentricity, the level of a
+  /// liquid. Constants of materials and sizes may be notes.
+  [[nodiscard]] static bool is_missed(const std::string& name, const Dimension& dimension, double stated) {
+    if (stated == 0.0) return false;
+    if (name.ends_with("_adm") || name == "h_l" || name.starts_with("e_")) return true;
+    const bool is_constant = dimension == density || name == "nu" || name == "alpha" || name == "E" || name == "G";
+    return !is_of_body(dimension) && !is_constant && dimension != speed;
+  }
+
+  /// Another step has this value under this name: it is meant for that one.
+  [[nodiscard]] bool is_taken_elsewhere(const std::string& name, double stated) const {
+    return std::ranges::any_of(project_.steps, [&](const auto& other) {
+      if (other.get() == &step_ || input_of(*other, name) == nullptr) return false;
+      return is_equal(known(*other, project_, name), stated);
+    });
+  }
+
+  [[nodiscard]] std::ptrdiff_t steps_with(const std::string& name) const {
+    return std::ranges::count_if(project_.steps, [&](const auto& other) {
+      return input_of(*other, name) != nullptr && !std::isnan(known(*other, project_, name));
+    });
+  }
+
+  /// Whether the step requires more, or allows less, than the value.
+  [[nodiscard]] bool is_safe(const std::string& name, double here, double stated) const {
+    const bool is_required = name == "S" || name.starts_with("S_") || name.starts_with("gamma_") || name == "n_st" ||
+                             name == "L_h" || name == "L_req" || name == "N" || name == "n_req" || name == "R" ||
+                             name == "P_s" || name == "c" || name == "c_t" || name == "f_t" || name == "grade";
+    if (is_required) return here >= stated;
+    const bool is_allowed = name.ends_with("_adm") || is_of_seam(name) || name == "R_e" || name == "R_m" ||
+                            name == "D_adm" || means(*step_.input().calculator, name, &is_strength);
+    return is_allowed && here <= stated;
+  }
+
+  void compare_word(const std::string& name, const std::string& word) {
+    if (name == "material") return compare_material(word);
+    const FieldInfo* const field = input_of(step_, name);
+    if (field == nullptr || field->type != FieldInfo::Type::choice) return;
+    const bool is_choice = std::ranges::any_of(field->choices, [&](const auto& one) { return word == one.key; });
+    const std::string here = word_at(step_, name);
+    const bool is_elsewhere =
+        std::ranges::any_of(project_.steps, [&](const auto& other) { return word_at(*other, name) == word; });
+    if (!is_choice || here == word || is_elsewhere) return;
+    add(name, word, here.empty() ? say("is not given here") : say("is {1} here", here));
+  }
+
+  /// The name of a material that no step has.
+  void compare_material(const std::string& word) {
+    const std::string here = material_of(step_);
+    const bool is_elsewhere =
+        std::ranges::any_of(project_.steps, [&](const auto& other) { return material_of(*other) == word; });
+    if (!here.empty() && !is_elsewhere && input_of(step_, "R_e") != nullptr)
+      found_.push_back(
+          {"R_e", say("values.material = {1} acts on no step, and the material is {2} here: refer to it, delete "
+                      "it, or justify it: because.R_e = \"...\"",
+                      word, here)});
+  }
+
+  [[nodiscard]] static std::string shown(const FieldInfo& field, double si) {
+    return field.dimension.is_number() ? format_number(si, 5) : format_quantity(si, field.unit, 5);
+  }
+
+  void add(const FieldInfo& field, double stated, const Message& here) { add(field.key, shown(field, stated), here); }
+
+  void add(const std::string& name, const std::string& stated, const Message& here) {
+    found_.push_back({name, say("values.{1} = {2} acts on no step, and {1} {3}: refer to it, delete it, or justify it: "
+                                "because.{1} = \"...\"",
+                                name, stated, here)});
+  }
+
+  const Step& step_;
+  const Project& project_;
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> inputs_stated_otherwise(const Step& step, const Project& project) {
+  return OwnInputs(step, project).run();
+}
+
+}  // namespace loadpath::project

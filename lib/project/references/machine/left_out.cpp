@@ -18,13 +18,14 @@ namespace {
 constexpr double implausible_ratio =
     50.0;  // times the load of the step: beyond, it is another quantity of the same dimension
 
-/// Whether a value of [values] is named as such a load, or as one of a start, a jam or a test: "F_r", "T_start",
-/// "F_max" of T and F; other names may be notes.
+/// Whether a value of [values] is named as such a load, or as one of a start, a jam or a test, or the design pressure
+/// of a vessel: "F_r", "T_start", "F_max" of T and F; other names may be notes.
 bool is_named_as_peak(const std::string& name, const std::string& symbol) {
   const std::size_t end = name.rfind('_');
   if (end == std::string::npos || name == symbol) return name == symbol;
   const std::string index = name.substr(end + 1);
-  return name[0] == symbol[0] && (is_of_peak(index) || index == "test" || index == "t");
+  return name[0] == symbol[0] &&
+         (is_of_peak(index) || index == "test" || index == "t" || (symbol == "p" && index == "design"));
 }
 
 /// A stress is no load that another one of [values] could be meant for: that may be a strength.
@@ -81,8 +82,19 @@ void compare_factor(const Step& step, const Project& project, const std::string&
 
 /// A component of the load that a step may be given in addition to others: axial forces, bending moments.
 bool is_component(std::string_view name) {
-  constexpr std::array<std::string_view, 8> names{"F_a", "F_ax", "M_b", "M_y", "M_z", "N", "V", "H"};
+  constexpr std::array<std::string_view, 18> names{"F_a",  "F_ax", "F_x",    "F_y", "F_z",   "F_r0",
+                                                   "F_a0", "M_b",  "M_y",    "M_z", "M_y_1", "M_z_1",
+                                                   "q_y",  "q_z",  "M_tmax", "N",   "V",     "H"};
   return std::ranges::find(names, name) != names.end();
+}
+
+/// Bending of a bar that is assessed in compression only.
+bool bends_a_bar(std::string_view name, const Dimension& dimension) {
+  constexpr std::array<std::string_view, 10> names{"M_b", "M_y", "M_z", "M_y_1", "M_z_1",
+                                                   "q_y", "q_z", "F_y", "F_z",   "q"};
+  const bool is_named = std::ranges::find(names, name) != names.end() || name.starts_with("q_");
+  return is_named && (dimension == Dimension::of(2, 1, -2) || dimension == Dimension::of(1, 1, -2) ||
+                      dimension == Dimension::of(0, 1, -2));
 }
 
 std::string_view id_of(const Step& step) {
@@ -113,6 +125,35 @@ void compare_component(const Step& step, const Project& project, const std::stri
                              name, format_quantity(si, field->unit, 4))});
 }
 
+/// A bending load next to a bar in compression, or a component that no mounted part of a shaft has.
+void compare_bending(const Step& step, const Project& project, const std::string& name, const Value& value,
+                     std::vector<ReducedLoad>& found) {
+  const std::string_view id = id_of(step);
+  const double si = std::abs(value.si.front());
+  const Dimension& dimension = value.signature.dimension;
+  const auto is_beam = [](const auto& one) {
+    return id_of(*one) == "column.beam_column" || id_of(*one) == "link.member";
+  };
+  const bool is_bar = id == "column.buckling" || id == "column.lightest" || id == "column.stepped";
+  if (si == 0.0 || std::ranges::any_of(project.steps, is_beam)) return;
+  const std::string load = id == "column.stepped" ? "parts" : "P";
+  if (is_bar && bends_a_bar(name, dimension))
+    return found.push_back({load, say("values.{1} acts on no step, and bending is not assessed here: replace this with "
+                                      "a step of column.beam_column, or because.{2} = \"...\"",
+                                      name, load)});
+  const bool is_force = dimension == Dimension::of(1, 1, -2) && (name == "F_x" || name == "F_y" || name == "F_z");
+  const bool is_moment = dimension == Dimension::of(2, 1, -2) && name == "M_b";
+  if (id == "shaft.design" && (is_force || is_moment))
+    found.push_back(
+        {"seats", say("values.{1} acts on no step, and no mounted component has it: refer to it, delete it, "
+                      "or justify it: because.seats = \"...\"",
+                      name)});
+  if (id == "shaft.press_fit" && is_moment)
+    found.push_back({"T", say("values.{1} acts on no step, and bending may open the joint: assess it separately, "
+                              "because.T = \"...\"",
+                              name)});
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project) {
@@ -124,6 +165,7 @@ std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project
     const LargestLoad own = largest_load(step, project, name, value.signature.dimension);
     if (project.values.kind(name) == Meant::work) continue;
     if (std::abs(own_value(step, project, name)) >= si) continue;  // it has the value under its own name
+    if (own.path.empty()) compare_bending(step, project, name, value, found);
     if (own.path.empty() && is_component(name)) compare_component(step, project, name, value, found);
     if (own.path.empty() || !(si > own.si) || si > implausible_ratio * own.si) continue;
     const std::string key = own.path.substr(0, own.path.find_first_of(".["));

@@ -101,7 +101,9 @@ class OwnInputs {
   [[nodiscard]] static bool is_missed(const std::string& name, const Dimension& dimension, double stated) {
     if (stated == 0.0) return false;
     if (name.ends_with("_adm") || name == "h_l" || name.starts_with("e_")) return true;
-    const bool is_constant = dimension == density || name == "nu" || name == "alpha" || name == "E" || name == "G";
+    const bool is_strength_of_part = dimension == Dimension::of(-1, 1, -2);
+    const bool is_constant =
+        is_strength_of_part || dimension == density || name == "nu" || name == "alpha" || name == "E" || name == "G";
     return !is_of_body(dimension) && !is_constant && dimension != speed;
   }
 

@@ -257,10 +257,11 @@ class StatedCheck {
                         : key == "T_G" ? most_of_bevel
                                        : most_of_steel;
     const bool is_temperature = name.starts_with("t_") || name.starts_with("T_") || name.starts_with("theta_");
-    const bool is_of_part = (is_temperature && has_word(name, {"service", "operating", "operation", "work", "working",
-                                                               "design", "max", "wall", "metal", "part"})) ||
-                            ((key == "T_G" || is_worm()) && has_word(name, {"oil", "sump"})) ||
-                            has_word(name, {"ambient", "temperature"}) || has_only_words(name, {"t", "theta"});
+    const bool is_of_part =
+        (is_temperature && has_word(name, {"service", "operating", "operation", "work", "working", "design", "max",
+                                           "wall", "metal", "part", "medium", "steam", "fire", "oven"})) ||
+        ((key == "T_G" || key == "C" || is_worm()) && has_word(name, {"oil", "sump"})) ||
+        has_word(name, {"ambient", "temperature"}) || has_only_words(name, {"t", "theta"});
     if (!(stated.si > most) || !is_of_part || has_word(name, {"join", "joining", "temper", "tempering"})) return;
     if (key.empty() || ((key == "T" || key == "T_G") && own(key) >= stated.si)) return;
     if (key == "T_G")

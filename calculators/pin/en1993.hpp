@@ -83,6 +83,7 @@ e_c2 = "35 mm"
       Field{&Input::gamma_M2, "gamma_M2", ratio, "partial factor of the pin in shear (national annex)"}
           .at_least(1)
           .usually(1.1, 1.5)
+          .customarily_at_least(1.1)
           .factor(),
       Field{&Input::gamma_M6, "gamma_M6", ratio, "partial factor of a replaceable pin, serviceability"}
           .at_least(1)

@@ -60,6 +60,8 @@ class Conditions {
     return find_field(step_.input().calculator->input->fields, key);
   }
   [[nodiscard]] double own(const std::string& key) const { return own_value(step_, project_, key); }
+  /// The result of the step: the speed of a shaft by its mounted components.
+  [[nodiscard]] double found(const std::string& key) const { return magnitude_at(project_, step_.name() + "." + key); }
   [[nodiscard]] bool has_mode(std::string_view mode) const {
     return std::ranges::any_of(step_.input().calculator->modes, [&](const ModeInfo& one) { return one.id == mode; });
   }
@@ -166,7 +168,7 @@ class Conditions {
     constexpr double most = 3.0;
     if (!has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin"}) || field("n") == nullptr) return;
     const auto has_it = [&](const auto& one) { return std::abs(own_value(*one, project_, "n")) >= si * (1.0 - 1e-3); };
-    const double here = std::abs(own("n"));
+    const double typed = own("n"), here = std::abs(std::isnan(typed) ? found("n") : typed);
     if (!(si > here && si <= most * here) || std::ranges::any_of(project_.steps, has_it)) return;
     add("n", say("values.{1} = {2} acts on no step, and n is {3}: refer to it, delete it, or justify it: because.n = "
                  "\"...\"",

@@ -35,13 +35,13 @@ function edges() {
 // The width of a cell or paragraph against that of its longest word: browsers give a block less only where it is forced to.
 function words() {
   const probe = document.createElement("canvas").getContext("2d");
-  for (const e of all("main td, main th, main dd, .why, .step > *")) {
+  for (const e of all("main td, main th, main dd, .w, .derivation > li > *")) {
     if (!is_seen(e)) continue;
     const style = getComputedStyle(e);
     if (e.clientWidth < 3 * parseFloat(style.fontSize) && e.textContent.trim().length > 12 && !e.querySelector("math, i")) report(7, `${e.clientWidth} px for: ${e.textContent}`);
     if (e.querySelector("code, wbr, math, i") || e.closest(".signatures, .title-block")) continue;
     probe.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
-    for (const word of e.matches(".step > *") ? [] : e.innerText.split(/[\s\u2009/–-]+/)) {
+    for (const word of e.matches(".derivation > li > *") ? [] : e.innerText.split(/[\s\u2009/–-]+/)) {
       if (word.length > 5 && word.length < 26 && !/[._=]/.test(word) && probe.measureText(word).width > e.clientWidth + 2 && !scrolls(e)) report(7, `"${word}" in ${e.clientWidth} px`);
     }
   }
@@ -62,7 +62,7 @@ function labels() {
 
 function formulas() {
   for (const list of all(".derivation")) {
-    const parts = [...list.querySelectorAll(".step > *")].flatMap((p) => [...p.children].length ? [p] : []).filter(is_seen);
+    const parts = [...list.querySelectorAll(":scope > li > *")].filter(is_seen);
     const boxes = parts.map((p) => { const r = document.createRange(); r.selectNodeContents(p); return r.getBoundingClientRect(); });
     for (let i = 0; i < boxes.length; ++i) for (let k = i + 1; k < Math.min(boxes.length, i + 10); ++k) {
       const o = overlap(boxes[i], boxes[k]);
@@ -79,7 +79,7 @@ function sizes() {
     const scale = svg.getBoundingClientRect().width / (svg.viewBox.baseVal.width || 1);
     for (const t of texts_of(svg)) if (points(t, scale) < 6.4 - 1e-6) report(11, `${points(t, scale).toFixed(2)} pt in a figure: ${t.textContent}`);
   }
-  const lefts = new Set(all(".sheet .step .why").filter(is_seen).map((e) => Math.round(e.getBoundingClientRect().left)));
+  const lefts = new Set(all(".sheet .derivation .w").filter(is_seen).map((e) => Math.round(e.getBoundingClientRect().left)));
   if (lefts.size > 1) report(12, `notes begin at ${[...lefts].join(", ")}`);
 }
 

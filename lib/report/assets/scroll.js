@@ -1,6 +1,6 @@
 "use strict";
 {  // What is wider than its place can be moved by keys as well.
-  const boxes = document.querySelectorAll(".scroll, .formula, .numbers, .result");
+  const boxes = document.querySelectorAll(".scroll, .derivation p:not(.w)");
   const reach = () => {
     for (const box of boxes) {
       if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;

@@ -83,25 +83,12 @@ std::string quantity(std::string_view text) {
 
 std::string cell(const Cell& cell) { return std::visit(CellText{}, cell); }
 
-std::string_view shapes() {
-  return R"(<svg class="shapes" width="0" height="0" aria-hidden="true"><defs>
-<symbol id="shape-pass" viewBox="0 0 16 16"><circle cx="8" cy="8" r="7.5" class="body"/><path d="M4.3 8.3l2.6 2.7 4.8-5.6" class="mark"/></symbol>
-<symbol id="shape-fail" viewBox="0 0 16 16"><path d="M5 .8h6L15.2 5v6L11 15.2H5L.8 11V5z" class="body"/><path d="M5.2 5.2l5.6 5.6m0-5.6l-5.6 5.6" class="mark"/></symbol>
-<symbol id="shape-not-covered" viewBox="0 0 16 16"><path d="M8 .7L15.3 8 8 15.3.7 8z" class="body"/><path d="M8 4.3v4.6m0 1.7v1.2" class="mark"/></symbol>
-<symbol id="shape-accepted" viewBox="0 0 16 16"><path d="M1.5 1.5h13v13h-13z" class="body"/><path d="M4.3 8.3l2.6 2.7 4.8-5.6" class="mark"/></symbol>
-<symbol id="shape-open" viewBox="0 0 16 16"><circle cx="8" cy="8" r="6.8" class="ring"/></symbol>
-<symbol id="shape-not-judged" viewBox="0 0 16 16"><circle cx="8" cy="8" r="7.5" class="body"/><path d="M5.6 6.1c.1-3.2 4.9-3 4.8 0 0 1.7-2.4 1.8-2.4 3.4m0 1.6v1.1" class="mark"/></symbol>
-<symbol id="shape-not-available" viewBox="0 0 16 16"><circle cx="8" cy="8" r="6.8" class="ring"/><path d="M4.8 8h6.4" class="dash"/></symbol>
-</defs></svg>
-)";
-}
-
 namespace {
 
+/// The style sheet sets the mark of the state in front of the words.
 std::string marked(State state, const std::string& words) {
   const std::string name = slug(state);
-  return "<span class=\"state " + name + "\"><svg class=\"shape\" aria-hidden=\"true\"><use href=\"#shape-" + name +
-         "\"/></svg>" + escaped(words) + "</span>";
+  return "<span class=\"state " + name + "\">" + escaped(words) + "</span>";
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ View name_of_tag(View text) {
 /// followed only by their like or the end of their parent.
 bool is_implied(View tag, View following) {
   constexpr std::array<View, 8> always{"/td", "/th", "/tr", "/thead", "/tbody", "/li", "/dt", "/dd"};
-  constexpr std::array<View, 11> end_a_paragraph{"p",  "div", "/div",     "section", "/section", "figure",
-                                                 "h2", "pre", "/details", "details", "h3"};
+  constexpr std::array<View, 14> end_a_paragraph{"p",   "div",      "/div",    "section", "/section", "figure", "h2",
+                                                 "pre", "/details", "details", "h3",      "ul",       "li",     "/li"};
   if (!tag.starts_with('/')) return false;
   const View next = name_of_tag(following);
   if (next.empty()) return false;

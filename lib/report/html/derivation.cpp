@@ -6,14 +6,27 @@
 namespace loadpath::report::page {
 namespace {
 
+/// Text of the math font without its element: the cells of a line have this font.
+std::string bare(std::string formula) {
+  constexpr std::string_view begin = "<i>", end = "</i>";
+  if (!formula.starts_with(begin)) return formula;
+  return formula.substr(begin.size(), formula.size() - begin.size() - end.size());
+}
+
 /// "= a + b" as formulas between which the line may break.
 std::string side(std::vector<std::string> terms) {
   terms.front().insert(0, "<mo>=</mo>");
   std::string out;
   for (const std::string& term : terms) {
-    out += (out.empty() ? "" : "<wbr>") + math(term);
+    out += (out.empty() ? "" : "<wbr>") + bare(math(term));
   }
   return out;
+}
+
+/// The first cell of a line is one element.
+std::string left_of(const Step& step) {
+  const std::string left = symbol(step.symbol);
+  return left.starts_with("<i>") || left.starts_with("<math>") ? left : "<span>" + left + "</span>";
 }
 
 std::string cell_of(const char* name, const std::string& content) {
@@ -36,33 +49,36 @@ Sides sides_of(const Step& step, const std::string& result) {
   return sides;
 }
 
+/// None for a line in a single row: most are.
 std::string_view class_of(const Step& step) {
   switch (setting_of(step)) {
     case Setting::row:
-      return "step";
+      return "";
     case Setting::two_rows:
-      return "step long";
+      return " class=\"long\"";
     case Setting::wide:
-      return "step long wide";
+      return " class=\"long wide\"";
     case Setting::small:
-      return "step long wide small";
+      return " class=\"long wide small\"";
   }
-  return "step";
+  return "";
 }
 
 }  // namespace
 
+// The names of the cells are single letters, for a report has some thousand: formula, numbers, why. The result, which
+// every line has, is without.
 std::string derivation(const Derivation& derivation) {
-  std::string out = "<div class=\"derivation\">\n";
+  std::string out = "<ul class=\"derivation\">\n";
   for (const Step& step : derivation.steps) {
     const std::string result = side({formula::quantity_mathml(written(step.value))});
     const Sides sides = sides_of(step, result);
-    out += "<div class=\"" + std::string(class_of(step)) + "\">" + "<div class=\"left\">" + symbol(step.symbol) +
-           "</div>" + cell_of("formula", sides.formula) + cell_of("numbers", sides.numbers) + cell_of("result", result);
-    if (!step.why.empty()) out += "<p class=\"why\">" + prose(step.why.text()) + "</p>";
-    out += "</div>\n";
+    out += "<li" + std::string(class_of(step)) + ">" + left_of(step) + cell_of("f", sides.formula) +
+           cell_of("n", sides.numbers) + "<p>" + result + "</p>";
+    if (!step.why.empty()) out += cell_of("w", prose(step.why.text()));
+    out += "</li>\n";
   }
-  return out + "</div>\n";
+  return out + "</ul>\n";
 }
 
 }  // namespace loadpath::report::page

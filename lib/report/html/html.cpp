@@ -211,7 +211,7 @@ std::string html(const Document& document, Folding folding) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
       escaped(document.title) + "</title>\n<style>\n" + page::style(running_of(document), document.paper) +
-      "</style>\n</head>\n<body>\n" + std::string(page::shapes()) + "<main>\n";
+      "</style>\n</head>\n<body>\n<main>\n";
   if (document.pages.empty()) {
     out += writer.front(document);
     for (const Block& block : document.blocks) out += std::visit([&](const auto& b) { return writer(b); }, block);

@@ -22,8 +22,6 @@ std::string quantity(std::string_view text);
 /// A table of many columns has closer spacing and units in the head; if still too wide, it is divided.
 std::string table(const Table& table, const std::string& caption);
 
-/// The shapes that verdicts refer to; once in a page.
-std::string_view shapes();
 std::string state(State state);
 /// The same of a mode: "outside the scope" where no calculator assesses it.
 std::string state_of(const Mode& mode);

@@ -29,9 +29,8 @@ std::string value(const Verdict& row) {
 
 std::string bar(double utilisation) {
   const double percent = std::clamp(limit_at * utilisation, 0.0, 100.0);
-  const std::string_view state = utilisation <= 1.0 ? "pass" : "fail";
-  return "<span class=\"bar\" aria-hidden=\"true\"><span class=\"" + std::string(state) +
-         "\" style=\"width:" + format_number(percent, 3) + "%\"></span></span>";
+  const std::string_view more = utilisation <= 1.0 ? "" : " over";
+  return "<span class=\"bar" + std::string(more) + "\" style=\"--u:" + format_number(percent, 3) + "%\"></span>";
 }
 
 std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anchors) {
@@ -42,8 +41,8 @@ std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anch
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const Verdict& row : verdicts.rows) {
-    out += "<tr><td>" + subject(row, anchors) + "</td><td>" + value(row) + "</td><td class=\"bound\">" +
-           escaped(row.bound.text()) + "</td><td>" + state(row.state) + "</td></tr>\n";
+    out += "<tr><td>" + subject(row, anchors) + "</td><td>" + value(row) + "</td><td>" + escaped(row.bound.text()) +
+           "</td><td>" + state(row.state) + "</td></tr>\n";
   }
   return out + "</tbody></table></div>\n";
 }

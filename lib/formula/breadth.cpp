@@ -38,7 +38,7 @@ class Outline : public Notation {
     return std::string(base) + script(exponent.size());
   }
   std::string root(int, std::string_view radicand) const override { return letters(2) + std::string(radicand); }
-  std::string fenced(std::string_view inner) const override { return letters(1) + std::string(inner); }
+  std::string fenced(std::string_view inner) const override { return letters(2) + std::string(inner); }
   std::string magnitude(std::string_view inner) const override { return fenced(inner); }
   std::string call(std::string_view function, const std::vector<std::string>& arguments) const override {
     std::string out = letters(function.size() + 1);

@@ -53,7 +53,7 @@ std::size_t letters_of_side(const formula::Extent& side) {
 }  // namespace
 
 Setting setting_of(const Step& step) {
-  constexpr std::size_t formula_column = 23, numbers_column = 23, both_columns = 50, three_columns = 64;  // letters
+  constexpr std::size_t formula_column = 23, numbers_column = 23, both_columns = 54, three_columns = 68;  // letters
   if (step.formula.empty()) return Setting::row;
   const Worked w = worked(step);
   if (!w.tree) return step.formula.size() > formula_column ? Setting::two_rows : Setting::row;

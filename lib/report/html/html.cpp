@@ -206,21 +206,20 @@ page::Running running_of(const Document& document) {
 
 std::string html(const Document& document, Folding folding) {
   Writer writer(document);
-  std::string out =
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-      escaped(document.title) + "</title>\n<style>\n" + page::style(running_of(document), document.paper) +
-      "</style>\n</head>\n<body>\n<main>\n";
+  std::string page;
   if (document.pages.empty()) {
-    out += writer.front(document);
-    for (const Block& block : document.blocks) out += std::visit([&](const auto& b) { return writer(b); }, block);
-    out += writer.input(document.input);
+    page += writer.front(document);
+    for (const Block& block : document.blocks) page += std::visit([&](const auto& b) { return writer(b); }, block);
+    page += writer.input(document.input);
   } else {
-    out += writer.pages(document);
-    if (document.has_appendix) out += writer.appendix(document, folding);
+    page += writer.pages(document);
+    if (document.has_appendix) page += writer.appendix(document, folding);
   }
-  return out + "</main>\n" + writer.script() + "</body>\n</html>\n";
+  return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
+         escaped(document.title) + "</title>\n<style>\n" + page::style(running_of(document), document.paper, page) +
+         "</style>\n</head>\n<body>\n<main>\n" + page + "</main>\n" + writer.script() + "</body>\n</html>\n";
 }
 
 }  // namespace loadpath::report

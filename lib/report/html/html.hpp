@@ -55,7 +55,7 @@ std::string finding(const Finding& finding);
 struct Running {
   std::string title, program;
 };
-/// The style sheet with the fonts in it.
-std::string style(const Running& running, std::string_view paper);
+/// The style sheet with the fonts in it: of letters that few reports have only where the page has one.
+std::string style(const Running& running, std::string_view paper, std::string_view page);
 
 }  // namespace loadpath::report::page

@@ -39,17 +39,44 @@ std::string font(const char* family, const char* file, const char* more) {
          base64(embedded::asset(file)) + ") format(\"woff2\")" + more + "}\n";
 }
 
-std::string fonts() {
+/// Letters of scripts/subset-sans.sh, `more`: accents of Latin but for German ones, Cyrillic.
+bool is_rare(char32_t letter) {
+  constexpr std::u32string_view frequent = U"\u00A0°±²³µ·¹¼½¾ÄÖ×ØÜßäö÷ü";
+  constexpr char32_t first = 0xA0, last_latin = 0x17F, first_cyrillic = 0x400, last_cyrillic = 0x45F;
+  if (letter >= first_cyrillic) return letter <= last_cyrillic;
+  return first <= letter && letter <= last_latin && frequent.find(letter) == std::u32string_view::npos;
+}
+
+/// Bytes that begin such a letter are looked for first, for pages are long.
+bool has_rare_letters(std::string_view page) {
+  for (std::size_t at = 0; at + 1 < page.size(); ++at) {
+    const auto byte = static_cast<unsigned char>(page[at]);
+    const bool is_of_two = (byte & 0xE0U) == 0xC0U;
+    if (!is_of_two) continue;
+    const auto next = static_cast<unsigned char>(page[at + 1]);
+    if (is_rare(static_cast<char32_t>((byte & 0x1FU) << 6U | (next & 0x3FU)))) return true;
+  }
+  return false;
+}
+
+std::string fonts(bool with_rare_letters) {
+  constexpr const char* range =
+      ";font-weight:400;unicode-range:U+A1-AF,U+B4,U+B6,U+B8,U+BA,U+BB,U+BF-C3,U+C5-D5,U+D9-DB,"
+      "U+DD,U+DE,U+E0-E3,U+E5-F5,U+F8-FB,U+FD-17F,U+400-45F";
+  const std::string rare =
+      with_rare_letters ? font("Loadpath Sans", "fonts/loadpath-sans-more.woff2", range) : std::string();
   return font("Loadpath Math", "fonts/loadpath-math.woff2", "") +
-         font("Loadpath Sans", "fonts/loadpath-sans.woff2", ";font-weight:400") +
+         font("Loadpath Sans", "fonts/loadpath-sans.woff2", ";font-weight:400") + rare +
          font("Loadpath Sans", "fonts/loadpath-sans-semibold.woff2", ";font-weight:600 700") +
          font("Loadpath Sans", "fonts/loadpath-sans-italic.woff2", ";font-style:italic");
 }
 
 }  // namespace
 
-std::string style(const Running& running, std::string_view paper) {
-  return fonts() + draw::style_sheet() + "\n" + std::string(embedded::asset("report.css")) + page_rules(running, paper);
+std::string style(const Running& running, std::string_view paper, std::string_view page) {
+  const bool with_rare_letters = has_rare_letters(page) || has_rare_letters(running.title);
+  return fonts(with_rare_letters) + draw::style_sheet() + "\n" + std::string(embedded::asset("report.css")) +
+         page_rules(running, paper);
 }
 
 }  // namespace loadpath::report::page

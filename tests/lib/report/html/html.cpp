@@ -273,6 +273,17 @@ TEST_SUITE("report") {
     CHECK(page == html(shaft_document()));
   }
 
+  TEST_CASE("letters of titles that few reports have bring their font") {
+    Document document = shaft_document();
+    document.title = "Größe 3 µm · Ø 20, η ≥ 0.9";
+    CHECK_FALSE(contains(html(document), "unicode-range"));
+    for (const char* title : {"Вал редуктора", "Hřídel", "Café"}) {
+      CAPTURE(title);
+      document.title = title;
+      CHECK(contains(html(document), "unicode-range"));
+    }
+  }
+
   TEST_CASE("a mechanism that moves has one small script in the page, and no name stands in its data") {
     figure::Motion motion;
     motion.still.bodies = {{hostile, {{0.0, 0.0}, {1.0, 0.0}}}};

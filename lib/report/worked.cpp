@@ -52,10 +52,9 @@ std::size_t letters_of_side(const formula::Extent& side) {
 
 }  // namespace
 
-Setting setting_of(const Step& step) {
+Setting setting_of(const Step& step, const Worked& w) {
   constexpr std::size_t formula_column = 23, numbers_column = 23, both_columns = 54, three_columns = 68;  // letters
   if (step.formula.empty()) return Setting::row;
-  const Worked w = worked(step);
   if (!w.tree) return step.formula.size() > formula_column ? Setting::two_rows : Setting::row;
   const formula::Extent symbols = formula::extent(*w.tree, {}, w.known);
   const formula::Extent values = formula::extent(*w.tree, w.substituted, w.known);
@@ -65,6 +64,8 @@ Setting setting_of(const Step& step) {
   if (longest <= both_columns) return Setting::two_rows;
   return std::max(symbols.widest, values.widest) <= three_columns ? Setting::wide : Setting::small;
 }
+
+Setting setting_of(const Step& step) { return step.formula.empty() ? Setting::row : setting_of(step, worked(step)); }
 
 NamedSymbol named_symbol(std::string_view path) {
   const std::size_t dot = path.rfind('.');

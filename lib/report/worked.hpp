@@ -29,6 +29,8 @@ enum class Setting {
   small      // likewise, in smaller type
 };
 Setting setting_of(const Step& step);
+/// The same of a formula that is parsed already.
+Setting setting_of(const Step& step, const Worked& w);
 
 /// "segments[2].u_tau": the place, empty at the top, and the symbol.
 struct NamedSymbol {

@@ -38,9 +38,8 @@ struct Sides {
   std::string formula, numbers;
 };
 
-Sides sides_of(const Step& step, const std::string& result) {
+Sides sides_of(const Step& step, const Worked& w, const std::string& result) {
   if (step.formula.empty()) return {};
-  const Worked w = worked(step);
   if (!w.tree) return {"<code>= " + escaped(step.formula) + "</code>", ""};
   Sides sides{side(formula::mathml_terms(*w.tree, {}, w.known)),
               side(formula::mathml_terms(*w.tree, w.substituted, w.known))};
@@ -50,8 +49,8 @@ Sides sides_of(const Step& step, const std::string& result) {
 }
 
 /// None for a line in a single row: most are.
-std::string_view class_of(const Step& step) {
-  switch (setting_of(step)) {
+std::string_view class_of(const Step& step, const Worked& w) {
+  switch (setting_of(step, w)) {
     case Setting::row:
       return "";
     case Setting::two_rows:
@@ -72,8 +71,9 @@ std::string derivation(const Derivation& derivation) {
   std::string out = "<ul class=\"derivation\">\n";
   for (const Step& step : derivation.steps) {
     const std::string result = side({formula::quantity_mathml(written(step.value))});
-    const Sides sides = sides_of(step, result);
-    out += "<li" + std::string(class_of(step)) + ">" + left_of(step) + cell_of("f", sides.formula) +
+    const Worked w = step.formula.empty() ? Worked{} : worked(step);
+    const Sides sides = sides_of(step, w, result);
+    out += "<li" + std::string(class_of(step, w)) + ">" + left_of(step) + cell_of("f", sides.formula) +
            cell_of("n", sides.numbers) + "<p>" + result + "</p>";
     if (!step.why.empty()) out += cell_of("w", prose(step.why.text()));
     out += "</li>\n";

@@ -88,7 +88,7 @@ S_Fmin = 1.4
   static bool has_wide_tip(const Input& in);
   static double least_deviation(const Input& in);
 
-  static constexpr Fields inputs_of_pair{
+  static constexpr Fields inputs_of_teeth{
       RecordField<Input>{"mesh", "gear pair: mesh = \"=stage.mesh\""},
       Choice{&Input::standard, "standard", "standard of the rating"}.may_be_missing(),
       Choice{&Input::root_edition, "root_edition", "edition of ISO 6336-3"}.may_be_missing(),
@@ -119,7 +119,8 @@ S_Fmin = 1.4
           .at_least(1)
           .usually(1, 2.5)
           .factor(),
-      Choice{&Input::idler, "idler", "idler gear (reversed tooth bending)"}.may_be_missing(),
+      Choice{&Input::idler, "idler", "idler gear (reversed tooth bending)"}.may_be_missing()};
+  static constexpr Fields inputs_of_capacity{
       Count{&Input::grade, "grade", 5, 12, "accuracy grade of the teeth: DIN 3961, or ISO 1328-1:1995"},
       Choice{&Input::finish, "finish", "finish of the flanks"}.may_be_missing(),
       Field{&Input::R_z1, "R_z1", um, "flank roughness, gear 1"}.positive().usually(0.5, 40).may_be_missing(),
@@ -191,7 +192,7 @@ S_Fmin = 1.4
           .customarily_at_least(1.2)
           .may_be_missing()
           .factor()};
-  static constexpr auto inputs = join(inputs_of_pair, spectrum_inputs<Input>());
+  static constexpr auto inputs = join(inputs_of_teeth, inputs_of_capacity, spectrum_inputs<Input>());
 
   static constexpr Fields results_of_pair{
       Field{&Result::F_t, "F_t", N, "nominal tangential force at the reference circle"},
@@ -286,13 +287,25 @@ S_Fmin = 1.4
       Field{&Result::j_bn, "j_bn", mm, "normal backlash (negative: jamming)"}.limit(-1e-6, 1e3).criterion()};
   static constexpr auto results = join(results_of_pair, spectrum_results<Result>());
 
-  static constexpr std::array rules_of_pair{
+  /// Of one pair of teeth; a search for the pair skips those that break them.
+  static constexpr std::array rules_of_teeth{
+      Rule<Input>{&is_laid_out, "a_w, x_1, x_2, z_1, z_2, m_n, beta",
+                  "the working pressure angle from a_w, or from x_1 and x_2, must exceed zero"},
+      Rule<Input>{
+          &has_rims, "s_R1, s_R2, m_n, z_1, z_2",
+          "a rim is thicker than half the tooth depth, below which ISO 6336-3 does not rate it, and thinner than "
+          "the root radius"},
+      Rule<Input>{&is_stiffened, "stiffening, d_sh",
+                  "a pinion stiffens its shaft where d_1 is 1.15 d_sh or more: stiffening = \"none\""},
+      Rule<Input>{
+          &is_in_place, "place, l, s, d_sh, b",
+          "an overhung pinion (c) has s above l/2, one between the bearings (a, b, d, e) below; the span is wider "
+          "than the face, and the shaft no thicker than the root circle"}};
+  static constexpr std::array rules_of_capacity{
       Rule<Input>{&has_strengths, "quality_1, quality_2, sigma_Hlim_1, sigma_Hlim_2, sigma_Flim_1, sigma_Flim_2",
                   "each gear needs quality and H, or sigma_Hlim and sigma_Flim", &missing_strength},
       Rule<Input>{&has_line, "material_1, material_2, quality_1, quality_2, H_1, H_2",
                   "ISO 6336-5 has no data for this material, quality and hardness", &missing_line},
-      Rule<Input>{&is_laid_out, "a_w, x_1, x_2, z_1, z_2, m_n, beta",
-                  "the working pressure angle from a_w, or from x_1 and x_2, must exceed zero"},
       Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",
                   "the root radius must fit into the dedendum"},
       Rule<Input>{&has_wide_tip, "s_pr, h_fP, rho_fP", "the tip of the tool must be wide enough for its roundings"},
@@ -315,25 +328,15 @@ S_Fmin = 1.4
       Rule<Input>{[](const Input& in) { return in.standard == RatingStandard::iso6336 || !is_set(in.C_a); },
                   "standard, C_a", "tip relief is a quantity of ISO 6336-1: standard = \"iso6336\""},
       Rule<Input>{
-          &has_rims, "s_R1, s_R2, m_n, z_1, z_2",
-          "a rim is thicker than half the tooth depth, below which ISO 6336-3 does not rate it, and thinner than "
-          "the root radius"},
-      Rule<Input>{&is_stiffened, "stiffening, d_sh",
-                  "a pinion stiffens its shaft where d_1 is 1.15 d_sh or more: stiffening = \"none\""},
-      Rule<Input>{
           [](const Input& in) { return !leaves_middle(in) || (is_set(in.l) && is_set(in.d_sh) && is_set(in.s)); },
           "place, l, d_sh, s", "a pinion away from the middle needs l, s and d_sh"},
       Rule<Input>{[](const Input& in) { return leaves_middle(in) || !is_set(in.s); }, "place, s",
                   "midway between the bearings s is zero: for another position name a to e"},
       Rule<Input>{[](const Input& in) { return in.place != Place::untold; }, "place",
                   "give the position of the pinion relative to the bearings: place = \"middle\", or \"a\" to \"e\""},
-      Rule<Input>{
-          &is_in_place, "place, l, s, d_sh, b",
-          "an overhung pinion (c) has s above l/2, one between the bearings (a, b, d, e) below; the span is wider "
-          "than the face, and the shaft no thicker than the root circle"},
       Rule<Input>{[](const Input& in) { return !(abs(in.n_1) <= 0.0 * rpm); }, "n_1",
                   "a running gear needs a speed greater than zero"}};
-  static constexpr auto rules = join(rules_of_pair, spectrum_rules<Input>());
+  static constexpr auto rules = join(rules_of_capacity, rules_of_teeth, spectrum_rules<Input>());
 
   /// Flanks that are ground and then finished by tumbling, from memory.
   static double least_roughness(const Input&) { return in_si(0.5 * um); }

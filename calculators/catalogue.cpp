@@ -22,7 +22,7 @@ namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; struct InvertedTooth; }
 namespace gear { struct Cycloidal; struct Pair; struct Planetary; struct Rating; }
 namespace gear { struct Pair; struct Planetary; struct Rating; struct Bevel; }
-namespace gear { struct Pair; struct Planetary; struct Rating; struct Bevel; struct Worm; struct Crossed; }
+namespace gear { struct Pair; struct Planetary; struct Rating; struct Bevel; struct Worm; struct Crossed; struct PairSizing; }
 namespace chain { struct Roller; }
 namespace drive { struct Train; struct FrictionWheels; }
 namespace belt { struct Flat; struct V; struct VSizing; struct Synchronous; struct Grooved; struct Course; }
@@ -105,6 +105,7 @@ static constexpr std::array all{
     Row{&erased<gear::Pair>},
     Row{&erased<gear::Planetary>},
     Row{&erased<gear::Rating>},
+    Row{&erased<gear::PairSizing>},
     Row{&erased<gear::Cycloidal>},
     Row{&erased<gear::Bevel>},
     Row{&erased<gear::Worm>},

@@ -193,6 +193,7 @@ const Law vessels[] = {
 };
 
 const Law drives[] = {
+    {"gear.sizing", "", "rho = \"15700 kg/m^3\"", "mass", 2},
     {"gear.rating", "", "S_Hmin = 2.2", "u_H1", 2},
     {"gear.rating", "", "S_Hmin = 2.2", "u_H2", 2},
     {"gear.rating", "", "S_Fmin = 2.8", "u_F1", 2},
@@ -574,6 +575,7 @@ const Trend trends[] = {
     {"belt.synchronous", "alpha_1", rises, "a", {R"("200 mm")", R"("400 mm")", R"("1000 mm")"}},
     {"belt.v", "u_P", falls, "z", {"2", "3", "4", "6"}},
     {"belt.v", "c_L", rises, "L", {R"("2000 mm")", R"("2650 mm")", R"("4000 mm")", R"("8000 mm")"}},
+    {"gear.sizing", "mass", rises, "P", {R"("2 kW")", R"("5 kW")", R"("15 kW")", R"("50 kW")"}},
     {"belt.v_sizing", "drives", falls, "P", {R"("5 kW")", R"("11 kW")", R"("50 kW")", R"("100 kW")"}},
     {"drive.train",
      "n_out",

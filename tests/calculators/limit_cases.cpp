@@ -497,6 +497,8 @@ const Case racks[] = {
      0.26 * std::tan(75 * pi / 180) / std::cos(pi / 9)},
     {"gear.crossed", "bore_1 = \"40 mm\"", "m_R1", (40 * std::numbers::sqrt2 - 45) / 9},
     {"gear.crossed", "bore_2 = \"90 mm\"", "m_R2", (80 * std::numbers::sqrt2 - 95) / 9},
+    {"gear.sizing", "i_set = 1", "x_1", 0},  // two equal gears slide alike
+    {"gear.sizing", "a_set = \"125 mm\"", "a_w", 0.125},
     {"gear.rating", "beta = \"8 deg\"", "Z_beta", std::sqrt(std::cos(8 * pi / 180))},
     {"gear.rating", "beta = \"8 deg\"\nstandard = \"iso6336\"\nnu_40 = \"134 mm^2/s\"", "Z_beta",
      1 / std::sqrt(std::cos(8 * pi / 180))},

@@ -107,6 +107,7 @@ constexpr std::array without_load{
     Reason{"dynamics.work reach", "the force is zero, or drives it on"},
     Reason{"gear.bevel dynamic", by_speed},
     Reason{"gear.rating dynamic", by_speed},
+    Reason{"gear.sizing dynamic", by_speed},
     Reason{"link.member inertia", by_speed},
     Reason{"link.member slenderness", by_sizes},
     Reason{"machine.disc strength", by_speed},

@@ -21,10 +21,10 @@ std::size_t offset_of(const Record& record, const Leaf& leaf) {
 
 /// Whether it counts a series of any length, which takes memory of its own.
 /// A history is counted, a law is followed from corner to corner, a motion step by step: what they consist of is
-/// gathered first.
+/// gathered first. A search sorts its combinations before it rates them.
 bool gathers(const Calculator& c) {
   constexpr std::array ids{"fatigue.history", "dynamics.force", "dynamics.impulse", "dynamics.motion",
-                           "machine.motion",  "motion.point",   "motion.rotation"};
+                           "gear.sizing",     "machine.motion", "motion.point",     "motion.rotation"};
   return std::ranges::find(ids, std::string_view(c.id)) != ids.end();
 }
 

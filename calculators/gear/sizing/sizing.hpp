@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 #include <utility>
 
 namespace loadpath::gear {
@@ -29,6 +30,20 @@ constexpr auto rules_of_rating(std::index_sequence<index...>) {
       [](const Input& in) { return all[index].holds(in); }, all[index].fields, all[index].text,
       all[index].particulars == nullptr ? nullptr : +[](const Input& in) { return all[index].particulars(in); },
       all[index].only_warns, all[index].modes}...};
+}
+
+/// The bounds of gear.rating but the first, which depends on the teeth.
+static_assert(std::string_view(Rating::bounds[0].field) == "f_ma");
+template <class Input, std::size_t index>
+constexpr Bound<Input> bound_of_rating() {
+  constexpr auto& of = Rating::bounds[index];
+  Bound<Input> bound{of.field, of.text, +[](const Input& in) { return Rating::bounds[index].value(in); }};
+  bound.is_least = of.is_least;
+  return bound;
+}
+template <class Input, std::size_t... index>
+constexpr auto bounds_of_rating(std::index_sequence<index...>) {
+  return std::array{bound_of_rating<Input, index + 1>()...};
 }
 
 struct PairSizing : PairSizingTypes {
@@ -205,8 +220,9 @@ S_Fmin = 1.4
       rules_of_rating<Input>(std::make_index_sequence<Rating::rules_of_capacity.size()>{}));
 
   static double least_deviation(const Input& in);
-  static constexpr std::array bounds{
-      Bound<Input>{"f_ma", "the helix slope tolerance of the grade", &least_deviation}.least()};
+  static constexpr auto bounds =
+      join(std::array{Bound<Input>{"f_ma", "the helix slope tolerance of the grade", &least_deviation}.least()},
+           bounds_of_rating<Input>(std::make_index_sequence<Rating::bounds.size() - 1>{}));
   static constexpr std::array meanings{Meaning{"best.z_1, best.T_1", flanks_ground, "finish", "ground"}};
   static constexpr std::array senses{SenseClaim{"T_1, P", "idler", "none, gear_1, gear_2", "both"}};
   static constexpr bool turns = true;
@@ -214,7 +230,8 @@ S_Fmin = 1.4
   static constexpr std::array modes{
       Mode<Input>{"pairs", "availability of a pair in the range", &always<Input>}
           .judged_by("found")
-          .advising("widen the range (m_max, psi_max, z_max), or take a harder material or two stages")
+          .advising("widen the range (m_max, psi_max, z_max, tol_i); else take another a_set, a harder material or two "
+                    "stages")
           .of_shape(),
       Mode<Input>{"pitting_1", "pitting, gear 1", &always<Input>}.judged_by("u_H1, x_eps"),
       Mode<Input>{"pitting_2", "pitting, gear 2", &always<Input>}.judged_by("u_H2, x_eps"),
@@ -225,7 +242,9 @@ S_Fmin = 1.4
       Mode<Input>{"pointed", "tip thickness", &always<Input>}.judged_by("s_a").of_shape(),
       Mode<Input>{"interference", "tip and fillet interference", &always<Input>}.judged_by("f_int").of_shape(),
       Mode<Input>{"clearance", "tip clearance", &always<Input>}.judged_by("c_n").of_shape(),
-      Mode<Input>{"backlash", "backlash", &unseen<Input>}.special(),
+      Mode<Input>{"backlash", "backlash", &unseen<Input>}
+          .advising("take the best pair in gear.pair, with the tooth thickness allowances A_s1 and A_s2")
+          .special(),
       Mode<Input>{"overload", "tooth overload at peak torque", &unseen<Input>}.special(),
       Mode<Input>{"scuffing", "scuffing", &unseen<Input>}.special(),
       Mode<Input>{"micropitting", "micropitting", &unseen<Input>}.special(),

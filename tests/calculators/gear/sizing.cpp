@@ -237,6 +237,15 @@ TEST_SUITE("gear sizing") {
     CHECK(project.value("stage.F_t")->si[0] == doctest::Approx(project.value("pick.F_t")->si[0]));
   }
 
+  TEST_CASE("inputs beyond what gear.rating takes without a reason need one here, too") {
+    for (const std::string lines : {"f_ma = \"1 um\"", "R_z1 = \"0.1 um\"",
+                                    "sigma_Hlim_1 = \"1800 MPa\"\nsigma_Flim_1 = "
+                                    "\"500 MPa\"",
+                                    "pattern = \"favourable\""}) {
+      CHECK_MESSAGE(mode_with("gear.sizing", lines, "pitting_1") == "not-judged", lines);
+    }
+  }
+
   TEST_CASE("contradictory inputs are refused with the remedy") {
     const auto fault = [](const std::string& lines) { return test::ExampleStep("gear.sizing", lines).fault(); };
     const auto says = [&](const std::string& lines, const std::string& part) {

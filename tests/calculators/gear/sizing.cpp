@@ -238,7 +238,7 @@ TEST_SUITE("gear sizing") {
   }
 
   TEST_CASE("inputs beyond what gear.rating takes without a reason need one here, too") {
-    for (const std::string lines : {"f_ma = \"1 um\"", "R_z1 = \"0.1 um\"",
+    for (const std::string lines : {"f_ma = \"1 um\"",
                                     "sigma_Hlim_1 = \"1800 MPa\"\nsigma_Flim_1 = "
                                     "\"500 MPa\"",
                                     "pattern = \"favourable\""}) {

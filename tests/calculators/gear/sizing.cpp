@@ -34,7 +34,7 @@ PairSizing::Input hoist() {
 }
 
 bool passes(const Rating::Result& r) {
-  return r.u_H1 <= 1.0 && r.u_H2 <= 1.0 && r.u_F1 <= 1.0 && r.u_F2 <= 1.0 && r.x_v <= 10.0 && r.x_eps >= 1.0 &&
+  return r.u_H1 <= 1.0 && r.u_H2 <= 1.0 && r.u_F1 <= 1.0 && r.u_F2 <= 1.0 && !(r.x_v > 10.0) && r.x_eps >= 1.0 &&
          r.x_eps <= 2.0 && r.x_free >= -0.02 && r.s_a >= 0.2 && r.f_int >= -0.01 && r.c_n / mm >= -1e-6;
 }
 
@@ -260,6 +260,6 @@ TEST_SUITE("gear sizing") {
     says("a_set = \"120 mm\"\nx_sum = 0.2", "omit x_sum");
     says("shift = \"none\"\nx_sum = 0.2", "shift = \"balanced\"");
     says("quality_1 = ", "quality_1");
-    says("place = ", "place");
+    says("place = ", "position of the pinion");
   }
 }

@@ -139,10 +139,10 @@ Outcome<std::vector<Entry>> Tables::ordered_rows(std::string_view group, std::st
 
 /// Ribbed belts have none: their rows rate no rib, so that nothing would decide between them.
 std::string_view order_of(std::string_view group) {
-  using Order = std::pair<std::string_view, std::string_view>;
+  using Pair = std::pair<std::string_view, std::string_view>;
   constexpr std::array orders{
-      Order{"bearing", "m"}, Order{"chain", "p"},       Order{"circlip", "d_1"}, Order{"key", "b"},
-      Order{"section", "A"}, Order{"set_screw", "d_s"}, Order{"spline", "d_2"},  Order{"synchronous_belt", "p_b"}};
+      Pair{"bearing", "m"}, Pair{"chain", "p"},       Pair{"circlip", "d_1"}, Pair{"key", "b"},
+      Pair{"section", "A"}, Pair{"set_screw", "d_s"}, Pair{"spline", "d_2"},  Pair{"synchronous_belt", "p_b"}};
   const auto found =
       std::find_if(orders.begin(), orders.end(), [&](const auto& order) { return order.first == group; });
   return found == orders.end() ? std::string_view() : found->second;

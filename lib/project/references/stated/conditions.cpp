@@ -2,6 +2,7 @@
 
 #include "lib/project/references/agreement/stated_names.hpp"
 #include "lib/project/references/origins.hpp"
+#include "lib/project/references/stated/dimensions.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -15,17 +16,13 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double in_few_digits = 1e-3;
+using stated::heat;
+using stated::in_few_digits;
+using stated::length;
+using stated::rate;
 
-const Dimension length = Dimension::of(1, 0, 0);
 const Dimension pressure = Dimension::of(-1, 1, -2);
-const Dimension rate = Dimension::of(0, 0, -1);
 const Dimension duration = Dimension::of(0, 0, 1);
-const Dimension heat = [] {
-  Dimension dimension;
-  dimension.twelfths[Dimension::temperature] = Dimension::one;
-  return dimension;
-}();
 
 class Conditions {
  public:

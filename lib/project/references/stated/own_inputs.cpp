@@ -2,6 +2,7 @@
 
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/references/origins.hpp"
+#include "lib/project/references/stated/dimensions.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -14,18 +15,14 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double in_few_digits = 1e-3;  // of values with few digits
+using stated::heat;
+using stated::in_few_digits;
+using stated::length;
+using stated::rate;
 
-const Dimension length = Dimension::of(1, 0, 0);
 const Dimension mass = Dimension::of(0, 1, 0);
 const Dimension speed = Dimension::of(1, 0, -1);
-const Dimension rate = Dimension::of(0, 0, -1);
 const Dimension density = Dimension::of(-3, 1, 0);
-const Dimension heat = [] {
-  Dimension dimension;
-  dimension.twelfths[Dimension::temperature] = Dimension::one;
-  return dimension;
-}();
 
 bool is_equal(double a, double b) { return std::abs(a - b) <= in_few_digits * std::max(std::abs(a), std::abs(b)); }
 

@@ -1,0 +1,18 @@
+// What values of [values] are compared by: their dimensions, and how near they count as equal.
+#pragma once
+
+#include "lib/quantity/dimension.hpp"
+
+namespace loadpath::project::stated {
+
+inline constexpr double in_few_digits = 1e-3;  // of values with few digits
+
+inline const Dimension length = Dimension::of(1, 0, 0);
+inline const Dimension rate = Dimension::of(0, 0, -1);
+inline const Dimension heat = [] {
+  Dimension dimension;
+  dimension.twelfths[Dimension::temperature] = Dimension::one;
+  return dimension;
+}();
+
+}  // namespace loadpath::project::stated

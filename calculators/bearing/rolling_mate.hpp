@@ -62,7 +62,7 @@ constexpr auto pair_inputs() {
           .may_be_missing(),
       Field{&Input::x, "x", mm, "position of the bearing on the shaft, from its left end"}.may_be_missing(),
       Field{&Input::c_i, "c_i", ratio,
-            "induced axial force x Y / F_r: 0.5; some catalogues 0.6, inch tapered roller bearings with K for Y 0.47"}
+            "induced axial force x Y / F_r: 0.5; in catalogues also 0.6, or 0.47 with K"}
           .within(0.47, 0.6)};
 }
 

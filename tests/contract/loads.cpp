@@ -32,8 +32,6 @@ constexpr std::array alone{
     Reason{"drive.train T_out", at_an_end},
     Reason{"drive.train stages.T_h", "it loads the housing"},
     Reason{"gear.pair mesh.T_1", "the load of the teeth, for gear.rating; that of the shaft is gear_1"},
-    Reason{"gear.sizing best.T_1",
-           "the load of the teeth, for gear.rating and gear.pair, which gives what loads the shafts"},
     Reason{"gear.planetary T_s", balances},
     Reason{"gear.planetary gear_s.T", balances},
     Reason{"gear.planetary T_c", balances},

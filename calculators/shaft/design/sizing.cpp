@@ -93,7 +93,7 @@ bool has_free_between(const Input& in) {
 }
 
 /// The pieces from which the diameters may fall to both ends: those between bearings that carry none, and collars that
-/// are given; where there are none, that which is bent most.
+/// are given; where there are none, every cylinder.
 OfPieces tops_of(const Input& in, const OfPieces& sought) {
   OfPieces tops;
   for (std::size_t i = 0; i < in.pieces.size(); ++i) {
@@ -102,7 +102,9 @@ OfPieces tops_of(const Input& in, const OfPieces& sought) {
     if (is_free_between(in, i) || is_collar) tops.push_back(i);
   }
   const bool any = !tops.empty();
-  for (std::size_t i = 0; !any && i < in.pieces.size(); ++i) tops.push_back(i);
+  for (std::size_t i = 0; !any && i < in.pieces.size(); ++i) {
+    if (!is_set(in.pieces[i].d_2)) tops.push_back(i);
+  }
   return tops;
 }
 

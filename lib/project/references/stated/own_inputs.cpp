@@ -84,6 +84,7 @@ class OwnInputs {
     const FieldInfo* const field = input_of(step_, name);
     if (field == nullptr || !is_compared(*field, name, dimension) || is_taken_elsewhere(name, stated)) return;
     const double here = known(step_, project_, name);
+    if (name == "L_h" && std::isnan(here) && !std::isnan(known(step_, project_, "N"))) return;  // a life in cycles
     if (std::isnan(here)) {
       if (is_missed(name, dimension, stated)) add(*field, stated, say("is not given here"));
       return;

@@ -49,6 +49,7 @@ struct GroupSystem::Work {
 
   bool go_by_chain(std::span<const Drive> goal);
   void solve_chain(std::span<const Drive> goal, bool statics, Position& out);
+  void store_chain(std::span<const Drive> goal, Position& out);
 
   Model model;
   double length;
@@ -124,6 +125,19 @@ Status GroupSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   return w.find_forces(statics, out) ? Status::closed : Status::jams;
 }
 
+Status GroupSystem::solve_motion(std::span<const Drive> drives, Position& out) {
+  Work& w = *work_;
+  if (w.go_by_chain(drives)) {
+    w.store_chain(drives, out);
+    return Status::closed;
+  }
+  if (const Status status = w.go_to(drives); status != Status::closed) return status;
+  w.motion.find_velocities(drives);
+  w.motion.find_accelerations(drives);
+  w.store(out);
+  return Status::closed;
+}
+
 /// Takes the current position to the groups.
 Status GroupSystem::Work::adopt() {
   positions.adopt(held);
@@ -193,14 +207,7 @@ void GroupSystem::Work::solve_chain(std::span<const Drive> goal, bool statics, P
     out.loads[n] = {model.loads[n].force, model.loads[n].moment};
   }
   ChainForces<1>(*chain, *now).find(statics);
-  follow_poses(*chain, *now, 0, held);
-  std::ranges::copy(goal, drives.begin());
-  in_steps = false;
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    out.pose[k] = held[k];
-    out.velocity[k] = velocity_of(*chain, *now, k, 0);
-    out.acceleration[k] = acceleration_of(*chain, *now, k, 0);
-  }
+  store_chain(goal, out);
   for (std::size_t k = 0; k < out.reactions.size(); ++k) {
     const ReactionLanes<1>& r = now->reactions[k];
     out.reactions[k].force = r.force[0];
@@ -209,6 +216,18 @@ void GroupSystem::Work::solve_chain(std::span<const Drive> goal, bool statics, P
   }
   take_pins(*chain, *now, 0, out.reactions);
   for (std::size_t d = 0; d < out.effort.size(); ++d) out.effort[d] = now->effort[d][0];
+}
+
+/// The motion after the move.
+void GroupSystem::Work::store_chain(std::span<const Drive> goal, Position& out) {
+  follow_poses(*chain, *now, 0, held);
+  std::ranges::copy(goal, drives.begin());
+  in_steps = false;
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    out.pose[k] = held[k];
+    out.velocity[k] = velocity_of(*chain, *now, k, 0);
+    out.acceleration[k] = acceleration_of(*chain, *now, k, 0);
+  }
 }
 
 double GroupSystem::Work::find_way(std::span<const Drive> goal) {

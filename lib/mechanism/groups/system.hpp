@@ -38,6 +38,8 @@ class GroupSystem {
   /// Moves from the position held now to these coordinates without leaving the assembly, then fills `out` (made by
   /// `blank_position`). `statics`: no inertia. When it fails, `out` and the position held stay as they were.
   Status solve(std::span<const Drive> drives, Position& out, bool statics = false);
+  /// The same without forces: poses, velocities, accelerations.
+  Status solve_motion(std::span<const Drive> drives, Position& out);
   /// Whether the last `solve` had to follow the mechanism in small steps: near a change point, or over a long move.
   [[nodiscard]] bool followed_in_steps() const;
   /// Friction of joints that rest while others move, and the factor on all dry friction and losses; from the next

@@ -40,8 +40,7 @@ class Neighbourhood {
   std::optional<Motion> motion(const Stroke& stroke, double way) {
     const Drive drive{start_ + way, 1.0, 0.0};
     if (!closed_) return {};
-    const Status status = system_.solve({&drive, 1}, at_, true);
-    if (status != Status::closed && status != Status::jams) return {};
+    if (system_.solve_motion({&drive, 1}, at_) != Status::closed) return {};
     return motion_of(model_, stroke, at_);
   }
 

@@ -13,8 +13,13 @@ Vec point_on(const Joint& joint, std::size_t link) {
   return joint.i == static_cast<int>(link) ? joint.point_i : joint.point_j;
 }
 
-bool is_at(const Joint& joint, std::size_t link) {
-  return joint.i == static_cast<int>(link) || joint.j == static_cast<int>(link);
+std::vector<std::size_t> joints_at(const Model& model, std::size_t link) {
+  const int own = static_cast<int>(link);
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    if (model.joints[k].i == own || model.joints[k].j == own) found.push_back(k);
+  }
+  return found;
 }
 
 /// The values of x between 0 and `most` where a + b x + c x^2 is zero.
@@ -44,19 +49,20 @@ bool is_uniform(const Model& model, const Member& member) {
 
 Member member_of(const Model& model, std::size_t link) {
   Member member{.link = link, .start = {}, .end = {}};
-  for (const Joint& a : model.joints) {
-    for (const Joint& b : model.joints) {
-      if (!is_at(a, link) || !is_at(b, link)) continue;
-      if (length(point_on(b, link) - point_on(a, link)) <= member.length()) continue;
-      member.start = point_on(a, link);
-      member.end = point_on(b, link);
+  const std::vector<std::size_t> joints = joints_at(model, link);
+  for (const std::size_t a : joints) {
+    for (const std::size_t b : joints) {
+      const Vec start = point_on(model.joints[a], link), end = point_on(model.joints[b], link);
+      if (length(end - start) <= member.length()) continue;
+      member.start = start;
+      member.end = end;
     }
   }
   return member;
 }
 
 MemberLoads::MemberLoads(const Model& model, const Member& member)
-    : model_(model), member_(member), length_(member.length()) {}
+    : model_(model), member_(member), joints_(joints_at(model, member.link)), length_(member.length()) {}
 
 void MemberLoads::take(const Position& at, bool statics) {
   const Pose& pose = at.pose[member_.link];
@@ -122,9 +128,8 @@ void MemberLoads::add_loads(const Position& at) {
 }
 
 void MemberLoads::add_joints(const Position& at) {
-  for (std::size_t k = 0; k < model_.joints.size(); ++k) {
+  for (const std::size_t k : joints_) {
     const Joint& joint = model_.joints[k];
-    if (!is_at(joint, member_.link)) continue;
     const double sense = joint.i == static_cast<int>(member_.link) ? 1.0 : -1.0;
     const Reaction& reaction = at.reactions[k];
     add(reaction.at, sense * reaction.force, sense * reaction.couple);

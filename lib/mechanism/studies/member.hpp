@@ -74,6 +74,7 @@ class MemberLoads {
 
   const Model& model_;
   Member member_;
+  std::vector<std::size_t> joints_;  // of the link
   double length_;
   Vec origin_;   // origin of the member at the position, global axes
   Turn turned_;  // rotation of the member

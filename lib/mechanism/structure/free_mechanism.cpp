@@ -1,5 +1,7 @@
 #include "lib/mechanism/structure/free_mechanism.hpp"
 
+#include "lib/mechanism/structure/row_factors.hpp"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -30,6 +32,29 @@ VectorXd residual_without(const Constraints& constraints, std::span<const std::s
   VectorXd residual = Eigen::Map<const VectorXd>(constraints.residual().data(), static_cast<Index>(constraints.rows()));
   for (const std::size_t row : rows) residual(static_cast<Index>(row)) = 0.0;
   return residual;
+}
+
+constexpr double reluctance = 1e-6;  // far above the threshold of the rank, its square below measurable values
+
+/// The least step that closes the constraints to the first order, as if these rows were not there.
+VectorXd least_step(const Constraints& constraints, const VectorXd& residual, std::span<const std::size_t> rows,
+                    std::span<const std::size_t> reluctant) {
+  if (rows.empty() && reluctant.empty() && is_large(constraints)) {
+    VectorXd step = VectorXd::Zero(static_cast<Index>(constraints.columns()));
+    if (const RowFactors factors(constraints); factors.independent()) {
+      factors.find_step({residual.data(), constraints.rows()}, {step.data(), constraints.columns()});
+      return step;
+    }
+  }
+  MatrixXd jacobian = jacobian_of(constraints);
+  for (const std::size_t row : rows) jacobian.row(static_cast<Index>(row)).setZero();
+  for (const std::size_t column : reluctant) jacobian.col(static_cast<Index>(column)) *= reluctance;
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
+  decomposition.setThreshold(rank_threshold);
+  decomposition.compute(jacobian);
+  VectorXd step = decomposition.solve(residual);
+  for (const std::size_t column : reluctant) step(static_cast<Index>(column)) *= reluctance;
+  return step;
 }
 
 // Each vector holds one dependent column and the columns it depends on.
@@ -81,21 +106,13 @@ void FreeMechanism::shift(std::span<const double> by) {
 }
 
 bool FreeMechanism::close_without(std::span<const std::size_t> rows, std::span<const std::size_t> reluctant) {
-  constexpr double reluctance = 1e-6;  // far above the threshold of the rank, its square below measurable values
   constexpr int most_steps = 40;
   constexpr double longest_step = 0.3;
   const Eigen::Map<const VectorXd> q(q_.data(), static_cast<Index>(q_.size()));
   VectorXd residual = residual_without(constraints_, rows);
   const auto rounding = [&] { return 1e-15 * (1.0 + q.norm()); };
   for (int k = 0; k < most_steps && residual.norm() > rounding(); ++k) {
-    MatrixXd jacobian = jacobian_of(constraints_);
-    for (const std::size_t row : rows) jacobian.row(static_cast<Index>(row)).setZero();
-    for (const std::size_t column : reluctant) jacobian.col(static_cast<Index>(column)) *= reluctance;
-    Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
-    decomposition.setThreshold(rank_threshold);
-    decomposition.compute(jacobian);
-    VectorXd step = decomposition.solve(residual);
-    for (const std::size_t column : reluctant) step(static_cast<Index>(column)) *= reluctance;
+    VectorXd step = least_step(constraints_, residual, rows, reluctant);
     step *= -std::min(1.0, longest_step / step.cwiseAbs().maxCoeff());
     shift({step.data(), static_cast<std::size_t>(step.size())});
     residual = residual_without(constraints_, rows);
@@ -130,9 +147,18 @@ std::vector<Pose> FreeMechanism::poses(double unit) const {
   return poses;
 }
 
-NullSpace FreeMechanism::motions() const { return kernel(jacobian_of(constraints_)); }
+NullSpace FreeMechanism::motions() const {
+  if (constraints_.rows() == constraints_.columns() && clearly_independent()) return {};
+  return kernel(jacobian_of(constraints_));
+}
 
-NullSpace FreeMechanism::self_stresses() const { return kernel(jacobian_of(constraints_).transpose()); }
+NullSpace FreeMechanism::self_stresses() const {
+  return clearly_independent() ? NullSpace{} : kernel(jacobian_of(constraints_).transpose());
+}
+
+bool FreeMechanism::clearly_independent() const {
+  return is_large(constraints_) && RowFactors(constraints_).independent();
+}
 
 double FreeMechanism::grip(std::size_t rank) const {
   if (rank == 0) return 1.0;

@@ -46,6 +46,8 @@ class FreeMechanism {
   [[nodiscard]] std::vector<Pose> poses(double unit) const;
 
  private:
+  /// Whether the rows of a large mechanism are independent by a sparse factorization; if not, they may still be.
+  [[nodiscard]] bool clearly_independent() const;
   void place() { constraints_.place(q_, targets_); }
 
   Constraints constraints_;

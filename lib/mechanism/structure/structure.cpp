@@ -152,7 +152,9 @@ Structure analyse(const Model& model) {
   structure.loose = links_of(driven.motions(), model.links.size());
   if (structure.parting.empty()) structure.parting = parting_joints(free, scaled.joints);
   const NullSpace self_stresses = free.self_stresses();
-  structure.mobility = static_cast<int>(free.motions().size());
+  structure.mobility = self_stresses.empty()
+                           ? static_cast<int>(free.constraints().columns() - free.constraints().rows())
+                           : static_cast<int>(free.motions().size());
   structure.singular = !self_stresses.empty() && dependent_here_only(free);
   if (!structure.singular) structure.redundant = joints_of(self_stresses, free.constraints().pairs());
   return structure;

@@ -280,4 +280,21 @@ TEST_SUITE("mechanism") {
     model.links[0].inertia = 0.0;
     CHECK(diagnose(model).empty());
   }
+
+  TEST_CASE("large mechanisms have the mobility and the redundancy of their count") {
+    Model model = chain(30);
+    const Structure sound = analyse(model);
+    CHECK(sound.closes);
+    CHECK(sound.mobility == 1);
+    CHECK(sound.redundant.empty());
+    CHECK(sound.loose.empty());
+    model.joints.pop_back();  // the last rocker's pin to the ground
+    const Structure open = analyse(model);
+    CHECK(open.mobility == 3);
+    CHECK(open.loose.size() == 2);
+    const Structure repeated = analyse(parallel_cranks(30, 1.0));
+    CHECK(repeated.mobility_by_count == -27);
+    CHECK(repeated.mobility == 1);
+    CHECK(repeated.redundant.size() == 28);
+  }
 }

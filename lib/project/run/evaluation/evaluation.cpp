@@ -60,11 +60,15 @@ double Evaluation::first_size() {
 /// row is stronger at a larger size it may alternate: then no size is consistent with the values at itself.
 void Evaluation::settle_sizes_from(double size) {
   unsettled_ = {};
-  if (inputs_.size_field().empty()) return inputs_.set_values_of_rows(not_available);
+  if (inputs_.size_field().empty()) {
+    inputs_.set_values_of_rows(not_available);
+    return;
+  }
   double before = size, two_before = size;
   for (int round = 0; round < most_size_rounds; ++round) {
-    inputs_.set_values_of_rows(size);
+    const bool changed = inputs_.set_values_of_rows(size);
     settled_ = size;
+    if (round > 0 && !changed) return;  // the same values give the same size
     const double next = size_now();
     if (std::isnan(next) || next == size) return;  // without a size something is not available; the checks report it
     two_before = before;

@@ -109,15 +109,20 @@ void Inputs::clear_row(const std::string& group) {
   rows_[group].text.clear();
 }
 
-void Inputs::set_values_of_rows(double size) {
+bool Inputs::set_values_of_rows(double size) {
+  bool changed = false;
   table_gap_ = {};
   for (const Provided& provided : provided_) {
     if (provided.row.empty()) continue;
     Lookup found = look_up(provided, size);
-    leaf(provided.path).set(found.si);
+    const Leaf value = leaf(provided.path);
+    const double before = value.get();
+    changed = changed || (before != found.si && !(std::isnan(before) && std::isnan(found.si)));
+    value.set(found.si);
     origins_[provided.path] = std::move(found.origin);
     if (std::isnan(found.si)) table_gap_ = found.reason;
   }
+  return changed;
 }
 
 bool Inputs::set_position(std::size_t i) {

@@ -35,8 +35,9 @@ class Inputs {
   void take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues);
   /// Leaves a row open, and the inputs that it gives.
   void clear_row(const std::string& group);
-  /// Sets the values of rows at a size; if a table has none, `table_gap` gives the reason.
-  void set_values_of_rows(double size);
+  /// Sets the values of rows at a size, and returns whether one of them changed; if a table has none, `table_gap` gives
+  /// the reason.
+  bool set_values_of_rows(double size);
   /// Puts the computed inputs at position i into the record; false if one of them is not available there.
   bool set_position(std::size_t i);
   /// Sets an input at every position.

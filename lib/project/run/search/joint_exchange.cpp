@@ -50,7 +50,7 @@ bool JointSearch::takes_with_one_raised(const SizeIndices& tried, std::size_t fi
 }
 
 /// One round about the sizes that were found; whether it found cheaper ones.
-bool JointSearch::exchange_once(SizeIndices& least, std::size_t reach) {
+bool JointSearch::exchange_once(SizeIndices& least, const SizeIndices& floors, std::size_t reach) {
   const SizeIndices firsts = sizes_.firsts();
   const std::size_t choices = 2 * reach + 1;
   sizes_.set(least);
@@ -66,7 +66,7 @@ bool JointSearch::exchange_once(SizeIndices& least, std::size_t reach) {
     for (const std::size_t first : firsts) {
       const std::size_t at = centre[first] + rest % choices;
       rest /= choices;
-      exists = exists && at >= reach;
+      exists = exists && at >= reach + floors[first];
       if (exists) tried = with_group(std::move(tried), first, at - reach);
     }
     if (!exists || !is_cheaper(tried, lowest)) continue;
@@ -80,7 +80,9 @@ bool JointSearch::exchange_once(SizeIndices& least, std::size_t reach) {
 
 void JointSearch::exchange(SizeIndices& least) {
   const std::size_t reach = reach_of(sizes_.firsts().size());
-  while (reach > 0 && exchange_once(least, reach)) lower_alone(least);
+  if (reach == 0) return;
+  const SizeIndices floors = floors_below(least);
+  while (exchange_once(least, floors, reach)) lower_alone(least);
   sizes_.set(least);
 }
 

@@ -119,19 +119,21 @@ bool JointSearch::elements_pass(std::size_t first) const {
   return true;
 }
 
-/// The smallest index of each size with which the checks at its own places pass, with the others as small as they can
-/// be: no part with less passes. Without any such index: 0.
-SizeIndices JointSearch::floors() {
-  SizeIndices floors(sizes_.count(), 0);
+/// Whether the checks at the places of a size may pass with it, with the others as small as they can be: with less no
+/// part passes.
+bool JointSearch::may_be(std::size_t first, std::size_t at) {
+  if (!sizes_.set(with_group(SizeIndices(sizes_.count(), 0), first, at))) return true;
+  return sizes_.at(first).at == at && places_pass(first);
+}
+
+/// The smallest index of each size that may be, from what was found downwards: where strength governs, the next smaller
+/// one fails, and that is all that is tried.
+SizeIndices JointSearch::floors_below(const SizeIndices& found) {
+  SizeIndices floors = found;
   for (const std::size_t first : sizes_.firsts()) {
-    for (std::size_t at = 0; at < sizes_.sizes(first).size(); ++at) {
-      SizeIndices least(sizes_.count(), 0);
-      for (std::size_t i = 0; i < least.size(); ++i) least[i] = sizes_.at(i).like == first ? at : 0;
-      if (!sizes_.set(least)) break;
-      if (sizes_.at(first).at != at || !places_pass(first)) continue;
-      for (std::size_t i = 0; i < least.size(); ++i) floors[i] = std::max(floors[i], least[i]);
-      break;
-    }
+    std::size_t at = found[first];
+    while (at > 0 && may_be(first, at - 1)) --at;
+    floors = with_group(std::move(floors), first, at);
   }
   return floors;
 }
@@ -177,7 +179,9 @@ void JointSearch::branch(Branching& b, std::size_t depth) {
 /// From the result of a first search, if any; true if there is a cheaper part.
 bool JointSearch::find_cheaper(double lowest, SizeIndices& least) {
   constexpr int most_trials = 20000, most_without_bound = 400;  // without a first part nothing limits the cost
-  Branching b{sizes_.firsts(), floors(), least, {}, lowest, std::isinf(lowest) ? most_without_bound : most_trials};
+  Branching b{sizes_.firsts(), std::isinf(lowest) ? SizeIndices(sizes_.count(), 0) : floors_below(least),
+              least,           {},
+              lowest,          std::isinf(lowest) ? most_without_bound : most_trials};
   branch(b, 0);
   if (b.best.empty()) return false;
   least = b.best;

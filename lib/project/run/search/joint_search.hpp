@@ -40,13 +40,14 @@ class JointSearch {
   bool lower_one(SizeIndices& least, std::size_t which);
   void lower_alone(SizeIndices& least);
   void exchange(SizeIndices& least);
-  bool exchange_once(SizeIndices& least, std::size_t reach);
+  bool exchange_once(SizeIndices& least, const SizeIndices& floors, std::size_t reach);
   [[nodiscard]] SizeIndices with_group(SizeIndices indices, std::size_t first, std::size_t at) const;
   bool is_cheaper(const SizeIndices& tried, double lowest);
   bool takes_cheaper(const SizeIndices& tried, SizeIndices& least, double& lowest);
   bool takes_with_one_raised(const SizeIndices& tried, std::size_t first, SizeIndices& least, double& lowest);
   bool find_cheapest(SizeIndices& least);
-  [[nodiscard]] SizeIndices floors();
+  [[nodiscard]] bool may_be(std::size_t first, std::size_t at);
+  SizeIndices floors_below(const SizeIndices& found);
   bool find_cheaper(double lowest, SizeIndices& least);
   void branch(Branching& at, std::size_t depth);
   bool places_pass(std::size_t first);

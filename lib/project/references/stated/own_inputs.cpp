@@ -24,7 +24,21 @@ const Dimension mass = Dimension::of(0, 1, 0);
 const Dimension speed = Dimension::of(1, 0, -1);
 const Dimension density = Dimension::of(-3, 1, 0);
 
-bool is_equal(double a, double b) { return std::abs(a - b) <= in_few_digits * std::max(std::abs(a), std::abs(b)); }
+bool is_within(double share, double a, double b) {
+  return std::abs(a - b) <= share * std::max(std::abs(a), std::abs(b));
+}
+
+bool is_equal(double a, double b) { return is_within(in_few_digits, a, b); }
+
+/// Whether a constant of a material is the same with that of another table, or one of another substance: steel of 7850
+/// and 7840 kg/m^3, sand next to it.
+bool is_same_or_foreign(const std::string& name, const Dimension& dimension, double here, double stated) {
+  constexpr double of_tables = 0.05, of_densities = 0.01, of_one_substance = 2.0;
+  if (name == "E" || name == "G" || name == "nu") return is_within(of_tables, here, stated);
+  if (dimension == Dimension::of(-1, 1, 0)) return is_within(of_tables, here, stated);  // chains of other makers
+  if (!(dimension == density)) return false;
+  return is_within(of_densities, here, stated) || stated > of_one_substance * here || here > of_one_substance * stated;
+}
 
 const FieldInfo* input_of(const Step& step, std::string_view key) {
   const Calculator* const calculator = step.input().calculator;
@@ -91,18 +105,24 @@ class OwnInputs {
     }
     const bool is_one_of_many = is_of_body(dimension) && name != "c_t" && steps_with(name) > 1;
     if (is_equal(here, stated) || is_safe(name, here, stated) || is_one_of_many) return;
+    if (is_same_or_foreign(name, dimension, here, stated)) return;
     add(*field, stated, say("is {1} here", shown(*field, here)));
   }
 
   /// Whether a value that the step does not have changes its assessment: a requirement, an eccentricity, the level of a
   /// liquid. Constants of materials and sizes may be notes.
-  [[nodiscard]] static bool is_missed(const std::string& name, const Dimension& dimension, double stated) {
-    if (stated == 0.0) return false;
+  [[nodiscard]] bool is_missed(const std::string& name, const Dimension& dimension, double stated) const {
+    if (stated == 0.0 || is_of_endurance(name)) return false;
     if (name.ends_with("_adm") || name == "h_l" || name.starts_with("e_")) return true;
     const bool is_strength_of_part = dimension == Dimension::of(-1, 1, -2);
     const bool is_constant =
         is_strength_of_part || dimension == density || name == "nu" || name == "alpha" || name == "E" || name == "G";
     return !is_of_body(dimension) && !is_constant && dimension != speed;
+  }
+
+  /// A gear without a required life is rated for endurance.
+  [[nodiscard]] bool is_of_endurance(std::string_view name) const {
+    return name == "L_h" && step_.input().calculator->id == std::string_view("gear.rating");
   }
 
   /// Another step has this value under this name: it is meant for that one.
@@ -138,8 +158,14 @@ class OwnInputs {
     const std::string here = word_at(step_, name);
     const bool is_elsewhere =
         std::ranges::any_of(project_.steps, [&](const auto& other) { return word_at(*other, name) == word; });
-    if (!is_choice || here == word || is_elsewhere) return;
+    if (!is_choice || here == word || is_elsewhere || is_of_row(name)) return;
     add(name, word, here.empty() ? say("is not given here") : say("is {1} here", here));
+  }
+
+  /// Whether a row has the word: the kind of a rolling bearing.
+  [[nodiscard]] bool is_of_row(const std::string& name) const {
+    const auto& rows = step_.input().rows;
+    return name == "kind" && rows.contains("bearing") && !step_.input().reading.typed.contains(name);
   }
 
   /// The name of a material that no step has.

@@ -24,10 +24,13 @@ const Dimension rate = Dimension::of(0, 0, -1);
 
 constexpr std::array speeds{"n_1", "n", "n_2"};
 
-/// The speed that a drive starts from, if it is typed in the step: "n_1" of a pair, "n" of a bearing.
+/// The speed that a drive starts from, if it is typed in the step: "n_1" of a pair, "n" of a bearing. Pins of links
+/// swing.
 std::string typed_speed(const Step& step) {
+  if (step.input().calculator == nullptr || std::string_view(step.input().calculator->id).starts_with("pin."))
+    return {};
   for (const char* const key : {"n_1", "n"}) {
-    if (step.input().calculator == nullptr || !step.input().reading.typed.contains(key)) continue;
+    if (!step.input().reading.typed.contains(key)) continue;
     const FieldInfo* const field = find_field(step.input().calculator->input->fields, key);
     if (field != nullptr && field->dimension.without_angle() == rate) return key;
   }
@@ -52,6 +55,16 @@ bool is_speed_of_shaft(double n, const Project& project) {
       if (std::isnan(there)) return false;
       if (is_it(there)) return true;
     }
+  });
+}
+
+/// Whether a ratio of [values] leads from this speed to that of the drive: a geared motor, "i_gear = 23.7".
+bool is_geared(double n, double drive, const Project& project) {
+  return std::ranges::any_of(project.values.unused(), [&](const auto& entry) {
+    const auto& [name, value] = entry;
+    const double i = std::abs(value.si.front());
+    const bool is_ratio = value.signature.dimension.is_number() && has_word(name, {"i", "ratio"});
+    return is_ratio && std::abs(n / i - drive) <= motor_slip * drive;
   });
 }
 
@@ -87,6 +100,7 @@ class MotorCheck {
     const bool is_speed = name == "n" || name == "n_1" || (name.starts_with("n_") && is_motor(name));
     const double here = std::abs(own_value(step_, project_, speed_));
     if (!is_speed || std::isnan(here) || is_speed_of_shaft(si, project_)) return;
+    if (is_geared(si, here, project_)) return;
     add(speed_, name, format_quantity(si, "rpm", 4), speed_ + " = " + format_quantity(here, "rpm", 4));
   }
 

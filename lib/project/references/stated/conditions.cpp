@@ -119,11 +119,17 @@ class Conditions {
     return step.input().calculator != nullptr && std::string_view(step.input().calculator->id).starts_with("fatigue.");
   }
 
+  [[nodiscard]] static bool is_shaft_design(const Step& step) {
+    return step.input().calculator != nullptr && step.input().calculator->id == std::string_view("shaft.design");
+  }
+
   /// Load cycles of a part whose fatigue nothing assesses.
   void compare_cycles(const std::string& name, double si) {
     constexpr double fewest = 1e4;
     if (name != "N" && !has_word(name, {"cycles"})) return;
-    const bool is_assessed = std::ranges::any_of(project_.steps, [](const auto& one) { return is_of_fatigue(*one); });
+    const bool is_on_shaft = id_.starts_with("shaft.");  // whose fatigue a step of shaft.design assesses
+    const bool is_assessed = std::ranges::any_of(
+        project_.steps, [&](const auto& one) { return is_of_fatigue(*one) || (is_on_shaft && is_shaft_design(*one)); });
     if (!(si >= fewest) || is_assessed || !has_mode("fatigue") || is_accepted("fatigue") || field("N") != nullptr)
       return;
     if (field("L_h") != nullptr) return;  // its life is assessed

@@ -36,6 +36,10 @@ const std::string bearing =
     "h\"\ns_0 "
     "= 1.5\n";
 
+const std::string chain =
+    "[c]\ncalculator = \"chain.roller\"\nchain = \"20B\"\nz_1 = 19\nz_2 = 38\na = \"1000 mm\"\nn_1 = \"60 rpm\"\nP = "
+    "\"2 kW\"\nK_A = 1.4\np_adm = \"30 MPa\"\nS_min = 8\nP_R = \"6 kW\"\n";
+
 }  // namespace
 
 TEST_SUITE("found values not taken") {
@@ -75,5 +79,25 @@ TEST_SUITE("found values not taken") {
     CHECK(state("phi = 1.15", lug, "e", "bearing") != state("note = 1.15", lug, "e", "bearing"));
     CHECK(state("reliability = 0.99", bearing, "b", "fatigue") == "not-judged");
     CHECK(state("reliability = 0.9", bearing, "b", "fatigue") == "pass");
+  }
+
+  TEST_CASE("constants of a material with the digits of another table, and of another substance") {
+    for (const char* const values : {"rho = \"7850 kg/m^3\"", "rho = \"1600 kg/m^3\"", "E = \"206 GPa\"", "nu = 0.29"})
+      CHECK_MESSAGE(state(values, disc, "d", "strength") == "pass", values);
+    for (const char* const values : {"rho = \"8900 kg/m^3\"", "E = \"110 GPa\""})
+      CHECK_MESSAGE(state(values, disc, "d", "strength") == "not-judged", values);
+    CHECK(state("E = \"206 GPa\"", column, "c", "buckling") == "pass");
+    CHECK(state("E = \"70 GPa\"", column, "c", "buckling") == "not-judged");
+  }
+
+  TEST_CASE("the kind of a bearing that its row has") {
+    CHECK(state("kind = \"deep_groove_ball\"", bearing, "b", "fatigue") == "pass");
+  }
+
+  TEST_CASE("the speed of a geared motor whose ratio the file states") {
+    CHECK(state("note = 1", chain, "c", "joints") == "pass");
+    CHECK(state("n_motor = \"1420 rpm\"", chain, "c", "joints") == "not-judged");
+    CHECK(state("n_motor = \"1420 rpm\"\ni_gear = 23.67", chain, "c", "joints") == "pass");
+    CHECK(state("n_motor = \"1420 rpm\"\ni_gear = 10", chain, "c", "joints") == "not-judged");
   }
 }

@@ -9,8 +9,8 @@ namespace {
 constexpr std::array known_machines{
     MachineWords{"gearbox, gear unit, gear reducer, speed reducer, gearmotor, multi-stage gearbox, transmission, "
                  "Zahnradgetriebe, Getriebemotor, Übersetzungsgetriebe, редуктор, коробка передач, мотор-редуктор",
-                 "drive.train, gear.pair, gear.rating, gear.planetary, gear.worm, shaft.design, bearing.rolling, "
-                 "shaft.key"},
+                 "drive.train, gear.sizing, gear.pair, gear.rating, gear.planetary, gear.worm, shaft.design, "
+                 "bearing.rolling, shaft.key"},
     MachineWords{"fan, blower, ventilator, centrifugal pump, Lüfter, Ventilator, Gebläse, Kreiselpumpe, вентилятор, "
                  "воздуходувка, центробежный насос",
                  "belt.v_sizing, machine.run_up, shaft.design, bearing.rolling"},

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
 namespace loadpath::gear::sizing {
 
@@ -70,6 +70,9 @@ Mass mass_of(const Input& in, const PairResult& g, double b) {
   return pi / 4.0 * in.rho * (g.d_1 * g.d_1 + g.d_2 * g.d_2) * (b * mm);
 }
 
+/// In m, to a nanometre: pairs of one centre distance must not differ by rounding errors.
+double rounded(Length a) { return std::round(in_si(a) * 1e9) / 1e9; }
+
 /// The points of the range in the order of the ranking.
 std::vector<Point> points_of(const Input& in, const std::vector<TeethInput>& all) {
   std::vector<Point> points;
@@ -78,7 +81,7 @@ std::vector<Point> points_of(const Input& in, const std::vector<TeethInput>& all
     PairResult g;
     lay_out(rating::pair_of(all[i]), g, quiet);
     for (const double b : widths_of(in, all[i].m_n / mm, g.d_1 / mm)) {
-      const double mass = in_si(mass_of(in, g, b)), a = in_si(g.a_w);
+      const double mass = in_si(mass_of(in, g, b)), a = rounded(g.a_w);
       points.push_back(in.by == By::mass ? Point{i, b, mass, a} : Point{i, b, a, mass});
     }
   }
@@ -104,16 +107,34 @@ Candidate row_of(const Input& in, const TeethInput& teeth, const RatingTypes::Re
   return c;
 }
 
+constexpr std::size_t most_rows = capacity_of<PairSizingTypes::Candidates>;
+
 /// What the walk over the points keeps.
 struct Walk {
   Found best;  // the first that passes, else the one that lacks least
   std::vector<bool> settled;
+  std::vector<Found> nearest;  // to passing, until a pair passes
 };
 
 void keep_rejected(const Candidate& c, Result& r) {
   if (r.found > 0.0) return;
-  if (r.rejected.size() == PairSizingTypes::Candidates::capacity()) r.rejected.pop_back();
+  if (r.rejected.size() == most_rows) r.rejected.pop_back();
   r.rejected.insert(r.rejected.begin(), c);
+}
+
+void keep_nearest(const Found& one, std::vector<Found>& nearest) {
+  const auto place =
+      std::find_if(nearest.begin(), nearest.end(), [&](const Found& other) { return one.lack.less_than(other.lack); });
+  nearest.insert(place, one);
+  if (nearest.size() > most_rows) nearest.pop_back();
+}
+
+/// A pair that breaks a rule of gear.rating is not rated; a wider one does not fit either.
+void reject_unrated(const Input& in, const TeethInput& teeth, std::size_t index, Walk& walk, Result& r) {
+  Lack lack;
+  lack.check = unset<double>, lack.failure = Failure::fit;
+  keep_rejected(row_of(in, teeth, {}, lack), r);
+  walk.settled[index] = true;
 }
 
 /// Rates one point; a pair of teeth is settled once it passes, or where no width helps.
@@ -128,9 +149,17 @@ void rate(const Input& in, const TeethInput& teeth, std::size_t index, Walk& wal
     r.candidates.push_back(row);
   } else {
     keep_rejected(row, r);
-    if (r.found == 0.0 && lack.less_than(walk.best.lack)) walk.best = {teeth, row, lack};
+    if (r.found == 0.0) keep_nearest({teeth, row, lack}, walk.nearest);
   }
   walk.settled[index] = !is_of_load(lack.failure) || lack.none();
+}
+
+/// Where none passes, the pairs nearest to passing are shown instead of those that rank last.
+void show_nearest(Walk& walk, Result& r) {
+  if (r.found > 0.0 || walk.nearest.empty()) return;
+  walk.best = walk.nearest.front();
+  r.rejected.clear();
+  for (const Found& one : walk.nearest) r.rejected.push_back(one.row);
 }
 
 }  // namespace
@@ -142,16 +171,16 @@ Found search_for(const Input& in, Result& r) {
   NoTrace quiet;
   loaded.T_1 = torque_of(in, quiet);
   const std::vector<TeethInput> all = teeth_of(loaded);
-  Walk walk{{}, std::vector<bool>(all.size(), false)};
-  walk.best.lack.limits = std::numeric_limits<int>::max();
+  Walk walk{{}, std::vector<bool>(all.size(), false), {}};
   r.tried = static_cast<double>(all.size());
   for (const Point& point : points_of(in, all)) {
     if (walk.settled[point.teeth]) continue;
     TeethInput teeth = all[point.teeth];
     teeth.b = point.b * mm;
-    if (is_admissible(teeth)) rate(in, teeth, point.teeth, walk, r);
-    if (r.candidates.size() == PairSizingTypes::Candidates::capacity()) break;
+    is_admissible(teeth) ? rate(in, teeth, point.teeth, walk, r) : reject_unrated(in, teeth, point.teeth, walk, r);
+    if (r.candidates.size() == most_rows) break;
   }
+  show_nearest(walk, r);
   return walk.best;
 }
 

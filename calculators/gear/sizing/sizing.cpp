@@ -1,5 +1,6 @@
 #include "calculators/gear/sizing/sizing.hpp"
 
+#include "calculators/gear/pair.hpp"
 #include "calculators/gear/sizing/search.hpp"
 #include "calculators/gear/sizing/teeth.hpp"
 #include "lib/calculator/calculator_of.hpp"
@@ -59,10 +60,9 @@ void sliding(const RatingTypes::Input& teeth, Result& r, Tracer& trace) {
 }  // namespace
 
 double PairSizing::least_deviation(const Input& in) {
-  Input omitted = in;
-  omitted.f_ma = unset<Length>;
+  if (!is_set(in.f_ma)) return unset<double>;
   Result r;
-  const sizing::Found best = sizing::search_for(omitted, r);
+  const sizing::Found best = sizing::search_for(in, r);
   return is_set(best.teeth.m_n) ? Rating::least_deviation(best.teeth) : unset<double>;
 }
 
@@ -80,6 +80,14 @@ PairSizing::Result PairSizing::evaluate(const Input& in, Tracer& trace) {
   static_cast<RatingTypes::Result&>(r) = Rating::evaluate(best.teeth, trace);
   r.best = {best.teeth};
   return r;
+}
+
+std::vector<figure::Figure> PairSizing::figures(const Input& in, const Result& r) {
+  if (!is_set(r.m_n)) return {};
+  Pair::Input pair = rating::pair_of(r.best);
+  pair.T_1 = r.best.T_1, pair.n_1 = in.n_1;
+  NoTrace quiet;
+  return Pair::figures(pair, Pair::evaluate(pair, quiet));
 }
 
 template PairSizing::Result PairSizing::evaluate(const Input&, NoTrace&);

@@ -5,8 +5,9 @@
 // follows from a centre distance. Gear 2 has the number of teeth next to i z_1, below and above. Face widths are those
 // of R20 between the limits of b/d_1, from 6 to 30 modules. Mass of solid cylinders of the reference diameters, without
 // bores and webs. A pair passes with all checks and limits of gear.rating; the others ahead of the best one are listed
-// with the mode that rejects them. Not covered: multiplication (i below 1), rings and racks, load spectra, protuberance
-// tools, tooth numbers without a common factor, and what gear.rating does not cover.
+// with the mode that rejects them, or the nearest to passing if none does. Not covered: multiplication (i below 1),
+// rings and racks, load spectra, protuberance tools, tooth numbers without a common factor, and what gear.rating does
+// not cover.
 #pragma once
 
 #include "calculators/gear/sizing/types.hpp"
@@ -14,11 +15,13 @@
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <array>
 #include <cstddef>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace loadpath::gear {
 
@@ -124,8 +127,8 @@ S_Fmin = 1.4
               .may_be_missing(),
           Count{&Input::z_min, "z_min", 8, 200, "minimum number of teeth of gear 1"}.may_be_missing(),
           Count{&Input::z_max, "z_max", 8, 200, "maximum number of teeth of gear 1"}.may_be_missing(),
-          Field{&Input::m_min, "m_min", mm, "minimum normal module"}.positive().may_be_missing(),
-          Field{&Input::m_max, "m_max", mm, "maximum normal module"}.positive().may_be_missing(),
+          Field{&Input::m_min, "m_min", mm, "minimum normal module (series I of ISO 54)"}.positive().may_be_missing(),
+          Field{&Input::m_max, "m_max", mm, "maximum normal module (series I of ISO 54)"}.positive().may_be_missing(),
           Field{&Input::psi_min, "psi_min", ratio, "minimum face width / reference diameter of gear 1"}
               .positive()
               .usually(0.1, 1),
@@ -197,7 +200,7 @@ S_Fmin = 1.4
           .handed_over(),
       ListField{&Result::candidates, "candidates", "pairs that pass, best first"},
       ListField{&Result::rejected, "rejected",
-                "pairs ahead of the best one with the reason for rejection, the nearest first"}};
+                "rejected pairs with the reason: those ahead of the best one; if none passes, the nearest to passing"}};
 
   static constexpr auto rules = join(
       std::array{Rule<Input>{[](const Input& in) { return is_set(in.T_1) != is_set(in.P); }, "T_1, P",
@@ -251,6 +254,9 @@ S_Fmin = 1.4
       Mode<Input>{"case_crushing", "case crushing", &unseen<Input>}.special(),
       Mode<Input>{"wear", "wear of the tooth flanks", &unseen<Input>}.special(),
       Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special()};
+
+  /// The best pair, as gear.pair draws it.
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

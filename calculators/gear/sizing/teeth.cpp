@@ -10,7 +10,8 @@ namespace {
 using Input = PairSizingTypes::Input;
 using TeethInput = RatingTypes::Input;
 
-constexpr double steps_of_x = 100.0;  // profile shifts are given to two decimals
+constexpr double steps_of_x = 100.0;   // profile shifts are given to two decimals
+constexpr double most_teeth = 2000.0;  // of gear.rating and gear.pair
 
 PairResult laid_out(const TeethInput& teeth) {
   NoTrace quiet;
@@ -86,7 +87,7 @@ void add_numbers(const Input& in, const TeethInput& teeth, std::vector<TeethInpu
 void add_mates(const Input& in, TeethInput teeth, std::vector<TeethInput>& all) {
   const double z_1 = teeth.z_1, exact = in.i_set * z_1;
   for (double z_2 = std::floor(exact + 1e-9); z_2 <= std::ceil(exact - 1e-9); z_2 += 1.0) {
-    if (std::abs(z_2 / exact - 1.0) > in.tol_i || z_2 < z_1) continue;
+    if (std::abs(z_2 / exact - 1.0) > in.tol_i || z_2 < z_1 || z_2 > most_teeth) continue;
     teeth.z_2 = Whole(z_2);
     add_numbers(in, teeth, all);
   }
@@ -100,8 +101,10 @@ std::vector<TeethInput> teeth_of(const Input& in) {
   teeth.a_w = in.a_set, teeth.b = unset<Length>;
   PairSizingTypes::Helices helices = in.betas;
   if (helices.empty()) helices.push_back({0.0});
-  for (const auto& helix : helices) {
-    teeth.beta = helix.beta;
+  for (auto helix = helices.begin(); helix != helices.end(); ++helix) {
+    const auto is_same = [&](const auto& earlier) { return earlier.beta == helix->beta; };
+    if (std::any_of(helices.begin(), helix, is_same)) continue;
+    teeth.beta = helix->beta;
     for (int z_1 = static_cast<int>(in.z_min); z_1 <= static_cast<int>(in.z_max); ++z_1) {
       teeth.z_1 = z_1;
       add_mates(in, teeth, all);

@@ -26,7 +26,8 @@ struct PairSizingTypes {
     undercut,
     pointed,
     interference,
-    clearance
+    clearance,
+    fit
   };
 
   struct Helix {
@@ -120,7 +121,8 @@ constexpr auto choices_of(PairSizingTypes::Failure) {
                     ChoiceName<F>{F::undercut, "undercut", "undercut"},
                     ChoiceName<F>{F::pointed, "pointed", "tip thickness"},
                     ChoiceName<F>{F::interference, "interference", "tip and fillet interference"},
-                    ChoiceName<F>{F::clearance, "clearance", "tip clearance"}};
+                    ChoiceName<F>{F::clearance, "clearance", "tip clearance"},
+                    ChoiceName<F>{F::fit, "fit", "shaft, bearings or rim: the pair does not fit"}};
 }
 
 }  // namespace loadpath::gear

@@ -217,6 +217,64 @@ TEST_SUITE("gear sizing") {
     CHECK(mode_with("gear.sizing", "", "root_2") == "pass");
   }
 
+  TEST_CASE("where none passes, the rejected pairs are those nearest to passing, the shown one first") {
+    auto in = hoist();
+    in.P = 2e6 * W;
+    const auto r = solve(in);
+    REQUIRE(r.rejected.size() == 10);
+    CHECK(r.rejected[0].m_n == r.m_n);
+    CHECK(r.rejected[0].b == r.b);
+    CHECK(r.rejected[0].excess == 0.0);
+    for (std::size_t i = 1; i < r.rejected.size(); ++i) CHECK(r.rejected[i].u >= r.rejected[i - 1].u);
+  }
+
+  TEST_CASE("pairs that do not fit the shaft or its bearings are rejected with this reason") {
+    auto in = hoist();
+    in.place = gear::Place::a, in.l = 200.0 * mm, in.s = 10.0 * mm, in.d_sh = 60.0 * mm;
+    const auto r = solve(in);
+    REQUIRE(r.found > 0.0);
+    CHECK(r.d_1 - 2.0 * (1.25 - r.x_1) * r.m_n >= in.d_sh);
+    REQUIRE(!r.rejected.empty());
+    CHECK(r.rejected[0].failure == PairSizing::Failure::fit);
+    in.d_sh = 600.0 * mm;
+    const auto none = solve(in);
+    CHECK(none.found == 0.0);
+    CHECK(!is_set(none.m_n));
+    REQUIRE(!none.rejected.empty());
+    for (const auto& c : none.rejected) CHECK(c.failure == PairSizing::Failure::fit);
+  }
+
+  TEST_CASE("of pairs of one centre distance the lighter ones rank first") {
+    auto in = hoist();
+    in.by = By::centre, in.betas = {{0.0}, {10.0 * deg.one}};
+    for (const double kilowatts : {2.0, 8.0, 15.0, 35.0}) {
+      in.P = kilowatts * 1e3 * W;
+      const auto r = solve(in);
+      for (std::size_t i = 1; i < r.candidates.size(); ++i) {
+        const auto &one = r.candidates[i - 1], &next = r.candidates[i];
+        if (std::abs((next.a_w - one.a_w) / mm) < 1e-6) CHECK(one.mass <= next.mass);
+      }
+    }
+  }
+
+  TEST_CASE("a helix angle that is given twice is tried once, and no gear has more than 2000 teeth") {
+    auto in = hoist();
+    const auto once = solve(in);
+    in.betas = {{0.0}, {0.0}};
+    const auto twice = solve(in);
+    CHECK(twice.tried == once.tried);
+    CHECK(twice.candidates[1].excess == once.candidates[1].excess);
+    in.i_set = 20.0, in.z_min = 100, in.z_max = 101, in.m_min = 1.0 * mm, in.m_max = 1.0 * mm;
+    CHECK(solve(in).tried == 1.0);  // 100/2000, but not 101/2020
+  }
+
+  TEST_CASE("the figure shows the best pair") {
+    auto in = hoist();
+    CHECK(PairSizing::figures(in, solve(in)).size() == 1);
+    in.a_set = 2000.0 * mm;
+    CHECK(PairSizing::figures(in, solve(in)).empty());
+  }
+
   TEST_CASE("a centre distance that no pair of the range has gives no result, and does not pass") {
     auto in = hoist();
     in.a_set = 2000.0 * mm;

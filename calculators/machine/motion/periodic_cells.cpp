@@ -98,7 +98,8 @@ void add_slopes(std::span<Sample> samples, double period) {
   const auto at = [&](std::size_t i, std::size_t on) {  // the sample `on` - 2 places further, with its own turn
     const std::size_t k = i + n + on - 2;
     Sample sample = samples[k % n];
-    sample.phi += period * (static_cast<double>(k / n) - 1.0);
+    const std::size_t turns = k / n;
+    sample.phi += period * (static_cast<double>(turns) - 1.0);
     return sample;
   };
   std::vector<double> slopes(n);

@@ -180,6 +180,7 @@ std::vector<ReducedLoad> loads_of_unloaded_gears(const Step& step, const Project
   const auto is_loaded = [&](const auto& other) { return is_loaded_drive(*other, project); };
   if (stated.empty() || std::ranges::any_of(project.steps, is_loaded)) return {};
   std::vector<ReducedLoad> found;
+  found.reserve(stated.size());
   for (const auto& [name, value] : stated) {
     found.push_back(
         {module, say("values.{1} acts on no step, and the strength of these gears is not assessed without a "
@@ -199,6 +200,7 @@ std::vector<ReducedLoad> powers_of_torques(const Step& step, const Project& proj
   if (T == 0.0 || !is_torque_of_file(step) || std::ranges::any_of(project.steps, is_loaded)) return {};
   const double n = speed_for(step, project);
   std::vector<ReducedLoad> found;
+  found.reserve(powers.size());
   for (const auto& [name, value] : powers) {
     if (std::isnan(n)) continue;
     const double P = std::abs(value.si.front()), stated = P / n;

@@ -61,8 +61,7 @@ constexpr auto pair_inputs() {
       Choice{&Input::carries, "carries", "direction of the axial force that this bearing carries, with mate"}
           .may_be_missing(),
       Field{&Input::x, "x", mm, "position of the bearing on the shaft, from its left end"}.may_be_missing(),
-      Field{&Input::c_i, "c_i", ratio,
-            "induced axial force x Y / F_r: 0.5; in catalogues also 0.6, or 0.47 with K"}
+      Field{&Input::c_i, "c_i", ratio, "induced axial force x Y / F_r: 0.5; in catalogues also 0.6, or 0.47 with K"}
           .within(0.47, 0.6)};
 }
 

@@ -81,7 +81,7 @@ RunState plus(const RunState& state, const Along& y) {
 
 }  // namespace
 
-// The sums begin anew in each cell: their errors are then relative to what the cell adds.
+// The sums start from zero in each cell: their errors are then relative to what the cell adds.
 Crossing cross(const DrivenMachine& machine, const PeriodCell& cell, RunState& state) {
   Along y{state.E, 0.0, 0.0, 0.0, 0.0};
   const Crossing crossing = CellRun(machine, cell).run(0.0, y);

@@ -193,6 +193,20 @@ TEST_SUITE("found machines") {
     CHECK(headline("3000 rpm") == account::Headline::incomplete);
   }
 
+  TEST_CASE("a flywheel is not driven faster by its motor than it is calculated for") {
+    const auto start = [](const std::string& i, const std::string& lines = "") {
+      const std::string text =
+          "[wheel]\ncalculator = \"machine.flywheel\"\nM_of_phi = \"100 N*m + 60 N*m*sin(phi)\"\nomega = \"120 "
+          "rpm\"\ndelta = 0.05\n\n[run]\ncalculator = \"machine.motion\"\nM = \"100 N*m\"\nJ_F = \"=wheel.J_F\"\n"
+          "J_M = \"0.01 kg*m^2\"\nM_K = \"60 N*m\"\nn_0 = \"1500 rpm\"\ns_K = 0.2\ni = " +
+          i + "\n" + lines;
+      return mode_of(solved_as_found(text), "run", "start");
+    };
+    CHECK(start("12") == "pass");  // 125 rpm without load
+    CHECK(start("8") == "not-judged");
+    CHECK(start("8", "because.J_F = \"the rim is rated for 300 rpm by its maker\"\n") == "pass");
+  }
+
   TEST_CASE("an end has the test, the vacuum and the liquid of its shell") {
     const auto vessel = [](const std::string& of_shell, const std::string& of_end, const std::string& more = "") {
       return "[shell]\ncalculator = \"vessel.cylinder\"\np = \"0.4 MPa\"\nR = \"500 mm\"\nmeasured = \"inner\"\nc = "

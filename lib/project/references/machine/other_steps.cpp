@@ -79,6 +79,7 @@ class RunCheck {
     if (step_.input().calculator == nullptr) return {};
     speed_ = largest_input(&is_speed_of_run, speed_path_);
     compare_discs();
+    compare_wheels_of_motor();
     if (!(speed_ > 0.0)) return std::move(found_);
     moment_ = largest_input(&is_moment_of_motor, moment_path_);
     for (const std::string& source : steps_named_in(step_.input().reading)) compare_train(source);
@@ -160,6 +161,27 @@ class RunCheck {
                             "\"...\"",
                             disc, format_quantity(n, "rpm", 4), format_quantity(calculated, "rpm", 4),
                             operand.path.substr(0, operand.path.find_first_of(".["))));
+    }
+  }
+
+  /// A flywheel that a motor without load drives faster than the speed that it is calculated for.
+  void compare_wheels_of_motor() {
+    constexpr double most_above = 1.15;  // slip, and the fluctuation within a cycle
+    const double n = std::abs(own_value(step_, project_, "n_0") / own_value(step_, project_, "i"));
+    if (!(n > 0.0)) return;
+    for (const Operand& operand : step_.input().reading.operands) {
+      if (operand.path != "J_F") continue;
+      for (const auto& reference : operand.expression.references()) {
+        const std::string wheel = split_step(reference.path).first;
+        const Step* const source = project_.find(wheel);
+        if (source == nullptr || !means(*source->input().calculator, "J", &is_inertia_of_flywheel)) continue;
+        const double omega = std::abs(own_value(*source, project_, "omega"));
+        if (!(n > most_above * omega)) continue;
+        add("J_F",
+            say("the motor without load turns the crank at n_0/i = {1}, and the flywheel '{2}' is calculated for "
+                "{3}; justify it: because.J_F = \"...\"",
+                format_quantity(n, "rpm", 4), wheel, format_quantity(omega, "rpm", 4)));
+      }
     }
   }
 

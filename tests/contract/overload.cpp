@@ -109,6 +109,7 @@ constexpr std::array without_load{
     Reason{"gear.rating dynamic", by_speed},
     Reason{"gear.sizing dynamic", by_speed},
     Reason{"link.member inertia", by_speed},
+    Reason{"link.member local", "class 3 at the yield strength"},
     Reason{"link.member slenderness", by_sizes},
     Reason{"machine.disc strength", by_speed},
     Reason{"machine.run_up stall", "its points are of motor and load alike, and are no single load"},

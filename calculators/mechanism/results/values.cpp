@@ -56,36 +56,59 @@ Output::Values values_of(const Output& output, const Solved& solved, const Resul
   return values;
 }
 
-/// Whether an output is made from the results of this kind.
-bool is_read_by_others(Kind kind, const std::vector<Output>& outputs) {
-  return std::any_of(outputs.begin(), outputs.end(), [&](const Output& o) {
-    return std::find(o.results_read.begin(), o.results_read.end(), kind) != o.results_read.end();
-  });
+/// The kinds of results that other outputs are made from.
+std::vector<Kind> kinds_read(const std::vector<Output>& outputs) {
+  std::vector<Kind> kinds;
+  for (const Output& output : outputs) {
+    for (const Kind kind : output.results_read) {
+      if (std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
+    }
+  }
+  return kinds;
 }
 
 bool reads_results(const Output& output) { return output.read_results != nullptr; }
 
-/// The output of the same path; where it was not solved, this one.
-const Output& same_of(const std::vector<Output>& outputs, const Output& output) {
-  const auto same = std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.path == output.path; });
-  return same == outputs.end() ? output : *same;
-}
+/// Finds outputs by their paths. They are asked for in their order, so each search goes on behind the last one: a
+/// search from the first output would make the cost of a long chain quadratic.
+class ByPath {
+ public:
+  explicit ByPath(const std::vector<Output>& outputs) : outputs_(outputs), last_(outputs.begin()) {}
+
+  /// The output of the same path; where it was not solved, this one.
+  const Output& same_of(const Output& output) {
+    const auto same = [&](const Output& o) { return o.path == output.path; };
+    auto found = std::find_if(last_, outputs_.end(), same);
+    if (found == outputs_.end()) {
+      found = std::find_if(outputs_.begin(), last_, same);
+      if (found == last_) return output;
+    }
+    last_ = found;
+    return *found;
+  }
+
+ private:
+  const std::vector<Output>& outputs_;
+  std::vector<Output>::const_iterator last_;
+};
 
 }  // namespace
 
 void fill_results(const std::vector<Output>& told, const std::vector<Output>& read, const Solved& solved,
                   const Magnitudes& magnitudes, const Wants& wants, account::Account& account) {
   Columns columns(solved);
+  ByPath by_path(read);
+  const std::vector<Kind> others = kinds_read(told);
   const auto needed = [&](const Output& output) {
     return solved.axis == nullptr || output.is_single || wants(output.path) ||
-           is_read_by_others(output.what.facts.kind, told);
+           std::ranges::find(others, output.what.facts.kind) != others.end();
   };
   account.results.clear();
   account.results.reserve(told.size());
   const auto add = [&](const Output& output, const Results& before) {
     Output::Values values({});
     if (needed(output)) {
-      values = values_of(same_of(read, output), solved, before, columns);
+      values = values_of(by_path.same_of(output), solved, before, columns);
       explain_missing(solved.in, solved.cycle, values);
     }
     auto& [si, missing] = values;

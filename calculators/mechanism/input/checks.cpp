@@ -188,8 +188,7 @@ void check_shared_points(NameFaults& faults) {
     const auto& link = in.links[b];
     for (const auto& p : link.points) {
       const auto shares = [&](const auto& other) {
-        return find_point(in, link_index(in, other.name), p.name) != nullptr &&
-               !pinned(in, other.name, link.name, p.name);
+        return find_named(other.points, p.name) != nullptr && !pinned(in, other.name, link.name, p.name);
       };
       const auto end = in.links.begin() + static_cast<std::ptrdiff_t>(b);
       const auto other = std::find_if(in.links.begin(), end, shares);

@@ -1,10 +1,12 @@
 #include "lib/project/references/drives/own_names.hpp"
 
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/references/agreement/stated_names.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/quantity/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -41,6 +43,63 @@ int safer_by(const Step& step, const std::string& key) {
   return is_strong ? -1 : 0;
 }
 
+/// The part of a cycle that is less than its peak by definition.
+bool is_part_of_cycle(std::string_view what) {
+  return what == "amplitude" || what == "mean" || what == "min" || what == paired_amplitude || what == paired_middle;
+}
+
+/// The only value that an expression refers to, where it is one of [values]; empty else.
+std::string only_value(const Operand& operand) {
+  const auto& references = operand.expression.references();
+  const bool is_one = !references.empty() && std::ranges::all_of(references, [&](const auto& reference) {
+    return reference.path == references.front().path;
+  });
+  return is_one && references.front().path.starts_with(of_values) ? references.front().path : std::string();
+}
+
+/// A number of the step that the whole is divided by, or multiplied with: four screws, a share.
+bool is_explained(const Step& step, const Project& project, double share) {
+  const auto& fields = step.input().calculator->input->fields;
+  return std::ranges::any_of(fields, [&](const FieldInfo& field) {
+    if (!(field.dimension.is_number() && (field.is_number() || field.type == FieldInfo::Type::count))) return false;
+    const double number = std::abs(own_value(step, project, field.key));
+    return std::abs(number * share - 1.0) <= few_digits || std::abs(number - share) <= few_digits * share;
+  });
+}
+
+/// What the inputs of the project take of a value in total, as loads of this dimension.
+double taken_in_total(const Project& project, const std::string& path, const Dimension& dimension) {
+  double total = 0.0;
+  for (const auto& step : project.steps) {
+    for (const Operand& operand : step->input().reading.operands) {
+      if (!operand.leaf.field->is_load || operand.leaf.field->dimension != dimension) continue;
+      if (only_value(operand) == path) total += std::fmax(0.0, std::abs(own_value(*step, project, operand.path)));
+    }
+  }
+  return total;
+}
+
+/// A load that is a part of a load of [values] by a bare number: "F = =values.F/4". The parts may make up the whole,
+/// as two bearings with a half each; an angle states the direction of a component.
+void compare_load(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
+  constexpr double least = 0.85;  // the losses of a drive are free
+  const std::string path = only_value(operand);
+  const FieldInfo& field = *operand.leaf.field;
+  if (path.empty() || !field.is_load || field.dimension.is_number() || operand.expression.is_reference()) return;
+  const Value* const value = project.value(path);
+  if (value == nullptr || value->is_series() || value->signature.dimension != field.dimension) return;
+  if (operand.text.find("sin") != std::string::npos || operand.text.find("cos") != std::string::npos ||
+      operand.text.find("tan") != std::string::npos || means(*step.input().calculator, operand.path, &is_part_of_cycle))
+    return;
+  const double stated = std::abs(magnitude_at(project, path));
+  const double share = std::abs(own_value(step, project, operand.path)) / stated;
+  if (!(stated > 0.0 && share > 0.0 && share < least) || is_explained(step, project, share)) return;
+  if (taken_in_total(project, path, field.dimension) >= least * stated) return;
+  found.push_back({operand.path, say("{1} is {2} times '{3}', which nothing else takes: refer to a value that explains "
+                                     "the share, as a number of parts, or justify it: {4} = \"...\"",
+                                     operand.path, format_number(share, 4), path, because_key(operand.path))});
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project) {
@@ -49,6 +108,7 @@ std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project
     const auto& references = operand.expression.references();
     const std::string& key = operand.path;
     const int safer = safer_by(step, key);
+    if (safer == 0) compare_load(step, project, operand, found);
     if (safer == 0 || operand.expression.is_reference() || references.size() != 1) continue;
     const std::string& path = references.front().path;
     if (!path.starts_with(of_values) || !is_meant_for(path.substr(of_values.size()), key)) continue;

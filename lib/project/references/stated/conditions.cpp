@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,12 +37,18 @@ class Conditions {
       const double si = value.si.front();
       if (dimension.is_number()) compare_number(name, si);
       if (dimension.without_angle() == rate) compare_overspeed(name, std::abs(si));
-      if (dimension == length) compare_opening(name);
+      if (dimension == length && si != 0.0) compare_opening(name);
       if (dimension == pressure) compare_residual(name, si);
       if (dimension == heat) compare_cold(name, si);
+      if (dimension == pressure) compare_limit_of_pressure(name, std::abs(si));
+      if (si != 0.0 && is_of_surroundings(name)) compare_loading(name);
       if (dimension == duration && is_of_life(name)) compare_life(name, si);
     }
-    for (const auto& [name, word] : project_.values.unused_words()) compare_surroundings(name, word);
+    for (const auto& [name, word] : project_.values.unused_words()) {
+      compare_surroundings(name, word);
+      const bool is_free = word == "none" || word == "no" || word == "free" || word == "missing";
+      if (is_free && has_only_words(name, {"restraint", "restraints", "bracing", "braces"})) compare_loading(name);
+    }
     return std::move(found_);
   }
 
@@ -102,15 +110,88 @@ class Conditions {
     constexpr double most = 5.0;
     constexpr std::array<std::string_view, 9> names{"phi", "phi_dyn",        "f_dyn",       "k_dyn",        "f_w",
                                                     "f_s", "dynamic_factor", "load_factor", "impact_factor"};
-    const bool is_one = std::ranges::find(names, std::string_view(name)) != names.end() || (name == "f" && is_pin());
+    const bool is_factor = has_word(name, {"impact", "shock", "dynamic", "dyn", "gust", "surge", "overload"}) &&
+                           has_word(name, {"factor", "coefficient", "allowance", "phi", "psi", "f", "k"}) &&
+                           has_only_words(name, {"impact", "shock", "dynamic", "dyn", "gust", "surge", "overload",
+                                                 "factor", "coefficient", "allowance", "phi", "psi", "f", "k", "load"});
+    const bool is_one =
+        is_factor || std::ranges::find(names, std::string_view(name)) != names.end() || (name == "f" && is_pin());
     if (!is_one || !(si > 1.0 + in_few_digits && si <= most) || own("K_A") > 1.0 || own("gamma_F") > 1.0) return;
-    for (const char* const key : {"F", "F_r", "T", "P", "N"}) {
-      const FieldInfo* const load = field(key);
-      if (load == nullptr || !load->is_load || !step_.input().reading.typed.contains(key)) continue;
-      return add(key, say("values.{1} = {2} acts on no step: refer to it, delete it, or justify it: "
-                          "because.{3} = \"...\"",
-                          name, format_number(si, 5), key));
+    const std::string key = typed_load();
+    if (key.empty()) return;
+    add(key, say("values.{1} = {2} acts on no step: refer to it, delete it, or justify it: because.{3} = \"...\"", name,
+                 format_number(si, 5), key));
+  }
+
+  /// The first load that is typed or comes from [values]: the file states it, not another step.
+  [[nodiscard]] std::string typed_load() const {
+    const auto& reading = step_.input().reading;
+    const auto is_of_step = [&](const std::string& key) {
+      return std::ranges::any_of(reading.operands, [&](const Operand& operand) {
+        return operand.path == key && std::ranges::any_of(operand.expression.references(), [](const auto& reference) {
+                 return !reference.path.starts_with("values.");
+               });
+      });
+    };
+    for (const FieldInfo& one : step_.input().calculator->input->fields) {
+      if (one.is_load && !one.dimension.is_number() && reading.typed.contains(one.key) && !is_of_step(one.key))
+        return one.key;
     }
+    return {};
+  }
+
+  /// A load or a position of the whole machine, by words without the name of a part: "wind", "tilt_angle". "F_wind" and
+  /// "q_snow" may be carried by another structure.
+  [[nodiscard]] static bool is_of_surroundings(const std::string& name) {
+    const bool is_meant = has_word(name, {"wind", "gust", "snow", "ice", "seismic", "earthquake", "tilt", "sway",
+                                          "unbalance", "imbalance", "misalignment", "settlement"});
+    return is_meant &&
+           has_only_words(name, {"wind",     "gust",  "snow",      "ice",       "seismic",      "earthquake", "tilt",
+                                 "sway",     "angle", "unbalance", "imbalance", "misalignment", "settlement", "load",
+                                 "pressure", "force", "moment",    "speed",     "max",          "design"});
+  }
+
+  void compare_loading(const std::string& name) {
+    const std::string key = typed_load();
+    if (key.empty()) return;
+    add(key, say("values.{1} is not used by any step: include it in a load, delete it, or justify it: because.{2} = "
+                 "\"...\"",
+                 name, key));
+  }
+
+  /// A relief, set or test pressure above that of a wall. A relief valve may be named by where it opens fully, up to
+  /// 1.1 times the pressure.
+  void compare_limit_of_pressure(const std::string& name, double si) {
+    constexpr double of_valves = 1.1;
+    if (!id_.starts_with("vessel.") || !is_pressure_name(name)) return;
+    const bool is_test = says_one_of(name, {"test", "hydro", "proof"});
+    const bool is_limit = says_one_of(name, {"relief", "blowoff", "blow_off", "mawp", "burst"}) ||
+                          has_word(name, {"set", "pset", "psv", "prv", "srv", "sv", "rv", "ps", "safety"});
+    const bool is_valve = says_one_of(name, {"valve"});
+    if (!is_test && !is_limit && !is_valve) return;
+    const double most = is_valve && !is_limit && !is_test ? of_valves : 1.0 + in_few_digits;
+    const auto covers = [&](const auto& other) {
+      const auto is_above = [&](const char* key) { return own_value(*other, project_, key) * most >= si; };
+      return other->input().calculator != nullptr &&
+             std::string_view(other->input().calculator->id).starts_with("vessel.") &&
+             (is_above("p") || (is_test && is_above("p_t")));
+    };
+    if (std::isnan(own("p")) || std::ranges::any_of(project_.steps, covers)) return;
+    const std::string key = is_test && !std::isnan(own("p_t")) ? "p_t" : "p";
+    add(key,
+        say("values.{1} = {2} acts on no step, and {3} is {4}: refer to it, delete it, or justify it: because.{3} = "
+            "\"...\"",
+            name, format_quantity(si, "MPa", 4), key, format_quantity(own(key), "MPa", 4)));
+  }
+
+  [[nodiscard]] static bool says_one_of(std::string name, std::initializer_list<std::string_view> parts) {
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return std::ranges::any_of(parts, [&](std::string_view part) { return name.find(part) != std::string::npos; });
+  }
+
+  /// Stresses and strengths have the same dimension.
+  [[nodiscard]] static bool is_pressure_name(std::string_view name) {
+    return !has_word(name, {"sigma", "tau", "stress", "strength", "r", "e", "s", "yield", "modulus"});
   }
 
   [[nodiscard]] bool is_pin() const { return id_.starts_with("pin."); }

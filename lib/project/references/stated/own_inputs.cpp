@@ -103,7 +103,8 @@ class OwnInputs {
       if (is_missed(name, dimension, stated)) add(*field, stated, say("is not given here"));
       return;
     }
-    const bool is_one_of_many = is_of_body(dimension) && name != "c_t" && steps_with(name) > 1;
+    const bool is_of_part = is_of_body(dimension) || name.starts_with("z_1") || name.starts_with("z_2");
+    const bool is_one_of_many = is_of_part && name != "c_t" && steps_with(name) > 1;
     if (is_equal(here, stated) || is_safe(name, here, stated) || is_one_of_many) return;
     if (is_same_or_foreign(name, dimension, here, stated)) return;
     add(*field, stated, say("is {1} here", shown(*field, here)));
@@ -112,7 +113,7 @@ class OwnInputs {
   /// Whether a value that the step does not have changes its assessment: a requirement, an eccentricity, the level of a
   /// liquid. Constants of materials and sizes may be notes.
   [[nodiscard]] bool is_missed(const std::string& name, const Dimension& dimension, double stated) const {
-    if (stated == 0.0 || is_of_endurance(name)) return false;
+    if (stated == 0.0 || is_of_endurance(name) || is_harmless(name, stated)) return false;
     if (name.ends_with("_adm") || name == "h_l" || name.starts_with("e_")) return true;
     const bool is_strength_of_part = dimension == Dimension::of(-1, 1, -2);
     const bool is_constant =
@@ -123,6 +124,25 @@ class OwnInputs {
   /// A gear without a required life is rated for endurance.
   [[nodiscard]] bool is_of_endurance(std::string_view name) const {
     return name == "L_h" && step_.input().calculator->id == std::string_view("gear.rating");
+  }
+
+  /// A value that the step does without on the safe side: an oil whose lubricant factor is not below 1, the slope of a
+  /// conveyor or the helix angle of gears whose forces no step takes, a safety factor that the given allowable stress
+  /// of a wall usually includes.
+  [[nodiscard]] bool is_harmless(std::string_view name, double stated) const {
+    constexpr double neutral_oil = 167.5e-6;  // m^2/s, (1.2 + 134/nu_40)^2 = 4 in Z_L of ISO 6336-2
+    constexpr double usual_of_walls = 1.5;
+    const std::string_view id = step_.input().calculator->id;
+    if (name == "nu_40") return stated >= neutral_oil;
+    if (name == "beta") return id.starts_with("gear.") && !is_force_taken();
+    return name == "S" && id.starts_with("vessel.") && stated <= usual_of_walls &&
+           !std::isnan(own_value(step_, project_, "sigma_adm"));
+  }
+
+  /// Whether another step takes a load of these gears: their axial force depends on the helix angle.
+  [[nodiscard]] bool is_force_taken() const {
+    const std::string load = step_.name() + ".gear_";
+    return std::ranges::any_of(project_.references, [&](const auto& path) { return path.starts_with(load); });
   }
 
   /// Another step has this value under this name: it is meant for that one.
@@ -145,6 +165,10 @@ class OwnInputs {
                              name == "L_h" || name == "L_req" || name == "N" || name == "n_req" || name == "R" ||
                              name == "P_s" || name == "c" || name == "c_t" || name == "f_t" || name == "grade";
     if (is_required) return here >= stated;
+    // a key, a spline or a fit that is shorter than the hub or the shaft of this length carries less
+    const std::string_view id = step_.input().calculator->id;
+    const bool is_carrying = id == "shaft.key" || id == "shaft.spline" || id == "shaft.press_fit";
+    if (name == "l" && is_carrying) return here <= stated;
     const bool is_allowed = name.ends_with("_adm") || is_of_seam(name) || name == "R_e" || name == "R_m" ||
                             name == "D_adm" || means(*step_.input().calculator, name, &is_strength);
     return is_allowed && here <= stated;
@@ -158,7 +182,8 @@ class OwnInputs {
     const std::string here = word_at(step_, name);
     const bool is_elsewhere =
         std::ranges::any_of(project_.steps, [&](const auto& other) { return word_at(*other, name) == word; });
-    if (!is_choice || here == word || is_elsewhere || is_of_row(name)) return;
+    const bool is_finer = name == "finish" && (word == "ground" || word == "polished");
+    if (!is_choice || here == word || is_elsewhere || is_of_row(name) || is_finer) return;
     add(name, word, here.empty() ? say("is not given here") : say("is {1} here", here));
   }
 

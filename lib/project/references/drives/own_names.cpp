@@ -7,6 +7,7 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -61,7 +62,9 @@ std::string only_value(const Operand& operand) {
 bool is_explained(const Step& step, const Project& project, double share) {
   const auto& fields = step.input().calculator->input->fields;
   return std::ranges::any_of(fields, [&](const FieldInfo& field) {
-    if (!(field.dimension.is_number() && (field.is_number() || field.type == FieldInfo::Type::count))) return false;
+    const std::string_view key = field.key;
+    const bool is_ratio = field.is_number() && field.dimension.is_number() && (key == "i" || key == "u");
+    if (field.type != FieldInfo::Type::count && !is_ratio) return false;  // a safety factor explains no share
     const double number = std::abs(own_value(step, project, field.key));
     return std::abs(number * share - 1.0) <= few_digits || std::abs(number - share) <= few_digits * share;
   });
@@ -79,6 +82,19 @@ double taken_in_total(const Project& project, const std::string& path, const Dim
   return total;
 }
 
+/// A force that two equal parts share: symmetrical supports, two columns, two cylinders. A torque has no such supports.
+bool is_half_of_force(const Operand& operand, double share) {
+  constexpr double half = 0.5;
+  if (operand.leaf.field->dimension != Dimension::of(1, 1, -2) || share < (1.0 - few_digits) * half) return false;
+  std::string text = operand.text;
+  std::erase(text, ' ');
+  for (std::size_t at = text.find("/2"); at != std::string::npos; at = text.find("/2", at + 1)) {
+    const char next = at + 2 < text.size() ? text[at + 2] : ' ';
+    if (next != '.' && std::isdigit(static_cast<unsigned char>(next)) == 0) return true;
+  }
+  return text.find("0.5*") != std::string::npos || text.ends_with("*0.5");
+}
+
 /// A load that is a part of a load of [values] by a bare number: "F = =values.F/4". The parts may make up the whole,
 /// as two bearings with a half each; an angle states the direction of a component.
 void compare_load(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
@@ -93,7 +109,9 @@ void compare_load(const Step& step, const Project& project, const Operand& opera
     return;
   const double stated = std::abs(magnitude_at(project, path));
   const double share = std::abs(own_value(step, project, operand.path)) / stated;
-  if (!(stated > 0.0 && share > 0.0 && share < least) || is_explained(step, project, share)) return;
+  if (!(stated > 0.0 && share > 0.0 && share < least) || is_half_of_force(operand, share) ||
+      is_explained(step, project, share))
+    return;
   if (taken_in_total(project, path, field.dimension) >= least * stated) return;
   found.push_back({operand.path, say("{1} is {2} times '{3}', which nothing else takes: refer to a value that explains "
                                      "the share, as a number of parts, or justify it: {4} = \"...\"",

@@ -74,6 +74,10 @@ void compare_factor(const Step& step, const Project& project, const std::string&
   if (field == nullptr || !field->is_factor || !field->dimension.is_number()) return;
   const double own = own_value(step, project, key);
   if (std::abs(own) >= si * (1.0 - same)) return;
+  constexpr double usual_of_walls = 1.5;  // which the allowable stress of a wall includes
+  const bool is_included = key == "S" && std::isnan(own) && !std::isnan(own_value(step, project, "sigma_adm")) &&
+                           std::string_view(step.input().calculator->id).starts_with("vessel.");
+  if (is_included && si <= usual_of_walls) return;
   found.push_back(
       {key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or justify it: "
                 "because.{3} = \"...\"",

@@ -165,7 +165,7 @@ class Conditions {
     constexpr double of_valves = 1.1;
     if (!id_.starts_with("vessel.") || !is_pressure_name(name)) return;
     const bool is_test = says_one_of(name, {"test", "hydro", "proof"});
-    const bool is_limit = says_one_of(name, {"relief", "blowoff", "blow_off", "mawp", "burst"}) ||
+    const bool is_limit = says_one_of(name, {"relief", "opening", "blowoff", "blow_off", "mawp", "burst"}) ||
                           has_word(name, {"set", "pset", "psv", "prv", "srv", "sv", "rv", "ps", "safety"});
     const bool is_valve = says_one_of(name, {"valve"});
     if (!is_test && !is_limit && !is_valve) return;

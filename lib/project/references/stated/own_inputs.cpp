@@ -105,7 +105,8 @@ class OwnInputs {
     }
     const bool is_of_part = is_of_body(dimension) || name.starts_with("z_1") || name.starts_with("z_2");
     const bool is_one_of_many = is_of_part && name != "c_t" && steps_with(name) > 1;
-    if (is_equal(here, stated) || is_safe(name, here, stated) || is_one_of_many) return;
+    const bool is_spur = name == "beta" && here == 0.0 && is_harmless(name, stated);
+    if (is_spur || is_equal(here, stated) || is_safe(name, here, stated) || is_one_of_many) return;
     if (is_same_or_foreign(name, dimension, here, stated)) return;
     add(*field, stated, say("is {1} here", shown(*field, here)));
   }
@@ -127,16 +128,12 @@ class OwnInputs {
   }
 
   /// A value that the step does without on the safe side: an oil whose lubricant factor is not below 1, the slope of a
-  /// conveyor or the helix angle of gears whose forces no step takes, a safety factor that the given allowable stress
-  /// of a wall usually includes.
+  /// conveyor or the helix angle of gears whose forces no step takes.
   [[nodiscard]] bool is_harmless(std::string_view name, double stated) const {
     constexpr double neutral_oil = 167.5e-6;  // m^2/s, (1.2 + 134/nu_40)^2 = 4 in Z_L of ISO 6336-2
-    constexpr double usual_of_walls = 1.5;
     const std::string_view id = step_.input().calculator->id;
     if (name == "nu_40") return stated >= neutral_oil;
-    if (name == "beta") return id.starts_with("gear.") && !is_force_taken();
-    return name == "S" && id.starts_with("vessel.") && stated <= usual_of_walls &&
-           !std::isnan(own_value(step_, project_, "sigma_adm"));
+    return name == "beta" && id.starts_with("gear.") && !is_force_taken();
   }
 
   /// Whether another step takes a load of these gears: their axial force depends on the helix angle.

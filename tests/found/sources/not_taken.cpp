@@ -100,4 +100,76 @@ TEST_SUITE("found values not taken") {
     CHECK(state("n_motor = \"1420 rpm\"\ni_gear = 23.67", chain, "c", "joints") == "pass");
     CHECK(state("n_motor = \"1420 rpm\"\ni_gear = 10", chain, "c", "joints") == "not-judged");
   }
+
+  TEST_CASE("a relief, set or test pressure above that of a wall") {
+    const auto thick = [](const std::string& values) {
+      return state(
+          values,
+          "[t]\ncalculator = \"vessel.thick\"\np = \"40 MPa\"\nR = \"80 mm\"\nmeasured = \"inner\"\ndelta = \"40 "
+          "mm\"\nR_e = \"355 MPa\"\nS = 1.5\n",
+          "t", "strength");
+    };
+    CHECK(thick("note = 1") == "pass");
+    for (const char* const values :
+         {"p_relief = \"45 MPa\"", "relief_pressure = \"450 bar\"", "pset = \"44 MPa\"", "set_pressure = \"45 MPa\"",
+          "p_test = \"60 MPa\"", "test_pressure = \"60 MPa\"", "P_hydrotest = \"60 MPa\"", "p_valve = \"50 MPa\""})
+      CHECK_MESSAGE(thick(values) == "not-judged", values);
+    for (const char* const values : {"p_relief = \"40 MPa\"", "p_valve = \"42 MPa\"", "sigma_test = \"60 MPa\""})
+      CHECK_MESSAGE(thick(values) == "pass", values);
+    CHECK(state("S = 1.5", shell, "s", "strength") == "pass");  // the allowable stress includes it
+    CHECK(state("S = 3", shell, "s", "strength") == "not-judged");
+    CHECK(state("d_nozzle = \"0 mm\"", shell, "s", "strength") == "pass");
+  }
+
+  TEST_CASE("conditions of the whole machine that no step uses") {
+    for (const char* const values : {"wind = \"1 kN/m^2\"", "tilt_angle = \"5 deg\"", "restraints = \"none\""})
+      CHECK_MESSAGE(state(values, column, "c", "buckling") == "not-judged", values);
+    for (const char* const values : {"q_snow_roof = 1", "F_wind = \"4 kN\"", "tilt = \"0 deg\"", "restraints = \"3\""})
+      CHECK_MESSAGE(state(values, column, "c", "buckling") == "pass", values);
+    CHECK(state("wind = \"1 kN/m^2\"", column + "because.P = \"carried by the bracing\"\n", "c", "buckling") == "pass");
+  }
+
+  TEST_CASE("a load that is a part of a value by a bare number") {
+    const auto shaft = [](const std::string& T, const std::string& more = "") {
+      return state(
+          "T = \"300 N*m\"\nshare = 0.5",
+          "[s]\ncalculator = \"shaft.torsion\"\nd = \"60 mm\"\nmaterial = \"C45E\"\nS = 2\nT = \"" + T + "\"\n" + more,
+          "s", "yield");
+    };
+    CHECK(shaft("=values.T") == "pass");
+    CHECK(shaft("=0.9*values.T") == "pass");  // the losses of a drive
+    CHECK(shaft("=0.5*values.T") == "not-judged");
+    CHECK(shaft("=values.T/4") == "not-judged");
+    CHECK(shaft("=values.share*values.T") == "pass");
+    CHECK(shaft("=0.5*values.T", "because.T = \"two equal outputs\"\n") == "pass");
+    const auto bar = [](const std::string& P) {
+      std::string text = column;
+      text.replace(text.find("400 kN"), 6, P);
+      return state("F = \"400 kN\"\nn = 4", text, "c", "buckling");
+    };
+    CHECK(bar("=values.F/2") == "pass");  // two columns
+    CHECK(bar("=values.F/values.n") == "pass");
+    CHECK(bar("=values.F/4") == "not-judged");
+    CHECK(bar("=0.3*values.F") == "not-judged");
+  }
+
+  TEST_CASE("masses, friction and springs of a mechanism that only the values have") {
+    const auto crank = [](const std::string& values, const std::string& lines = "") {
+      return state(values,
+                   "[comp]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"180 "
+                   "mm\"\ncrank = { speed = \"720 rpm\", positions = 36 }\nlinks.rod.mass = \"1.4 kg\"\n" +
+                       lines +
+                       "[rod]\ncalculator = \"link.member\"\nload = \"=comp.links.rod\"\nends_y = "
+                       "\"pinned_pinned\"\nends_z = \"fixed_fixed\"\nbeta_basis = \"recommended\"\nh = \"28 mm\"\nb = "
+                       "\"20 mm\"\nmethod = \"johnson\"\nn_st = 3\nS = 2\nmaterial = \"C45E\"\n",
+                   "rod", "yield");
+    };
+    const std::string sound = crank("note = 1");
+    CHECK(sound != "not-judged");
+    for (const char* const values : {"m_rod = \"3 kg\"", "rod_mass = \"3 kg\"", "m_slider = \"5 kg\"", "mu = 0.15",
+                                     "mu_B = 0.2", "k_spring = \"5 N/mm\""})
+      CHECK_MESSAGE(crank(values) == "not-judged", values);
+    for (const char* const values : {"m_rod = \"1.4 kg\"", "m_frame = \"240 kg\"", "mu_belt = 0.3"})
+      CHECK_MESSAGE(crank(values) == sound, values);
+  }
 }

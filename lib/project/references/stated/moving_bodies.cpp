@@ -17,9 +17,9 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double few_digits = 0.02;  // values that are rounded elsewhere
-const Dimension mass = Dimension::of(0, 1, 0);
-const Dimension inertia = Dimension::of(2, 1, 0);
+constexpr double bodies_few_digits = 0.02;  // values that are rounded elsewhere
+const Dimension body_mass = Dimension::of(0, 1, 0);
+const Dimension body_inertia = Dimension::of(2, 1, 0);
 const Dimension rate_of_spring = Dimension::of(0, 1, -2);
 const Dimension rate_of_turning_spring = Dimension::of(2, 1, -2);
 
@@ -64,8 +64,8 @@ class Bodies {
       const Dimension dimension = value.signature.dimension.without_angle();
       const double si = std::abs(value.si.front());
       if (si == 0.0) continue;
-      if (dimension == mass) compare_link(name, si, "mass", "kg", {"m", "mass"});
-      if (dimension == inertia) compare_link(name, si, "J", "kg*m^2", {"j", "inertia"});
+      if (dimension == body_mass) compare_link(name, si, "mass", "kg", {"m", "mass"});
+      if (dimension == body_inertia) compare_link(name, si, "J", "kg*m^2", {"j", "inertia"});
       if (dimension.is_number()) compare_friction(name, si);
       if (dimension == rate_of_spring || dimension == rate_of_turning_spring) compare_spring(name);
     }
@@ -80,7 +80,7 @@ class Bodies {
     if (link.empty()) return;
     const std::string path = "links." + link + "." + key;
     const double own = own_value(step_, project_, path), here = std::isnan(own) ? 0.0 : std::abs(own);
-    if (!(si > (1.0 + few_digits) * here)) return;
+    if (!(si > (1.0 + bodies_few_digits) * here)) return;
     add("links", say("values.{1} = {2} acts on no step, and {3} is {4}: refer to it, delete it, or justify it: "
                      "because.links = \"...\"",
                      name, format_quantity(si, unit, 4), path, format_quantity(here, unit, 4)));
@@ -95,7 +95,7 @@ class Bodies {
         has_word(name, {"mu", "friction"});
     if (joint.empty() && !is_of_all) return;
     const auto is_rough = [&](const std::string& one) {
-      return own_value(step_, project_, "joints." + one + ".mu") >= (1.0 - few_digits) * si;
+      return own_value(step_, project_, "joints." + one + ".mu") >= (1.0 - bodies_few_digits) * si;
     };
     if (joint.empty() ? std::ranges::any_of(joints, is_rough) : is_rough(joint)) return;
     add("joints",

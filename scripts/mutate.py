@@ -7,9 +7,11 @@ mutants are made in the formulas of STEP, the others in plain code.
 
 Run it in a clean checkout with a build of the tests; an unoptimised one is built fastest:
   cmake -G Ninja -B build/mutants -DCMAKE_BUILD_TYPE=Debug && scripts/mutate.py --build build/mutants --seed 1
+  scripts/mutate.py --build build/mutants --only 'lib/account/*,lib/project/references/*'
 Ctrl-C and SIGTERM leave the sources as they were.
 """
 import argparse
+import fnmatch
 import itertools
 import pathlib
 import random
@@ -109,10 +111,16 @@ def code_sites(path, text):
     return sites
 
 
-def all_sites(folders):
+def sources(folders, patterns):
+    """The sources of the folders whose path fits a pattern; in a pattern a star stands for slashes too."""
+    paths = sorted({p for folder in folders for p in pathlib.Path(folder).rglob('*.[ch]pp')})
+    return [p for p in paths if any(fnmatch.fnmatchcase(p.as_posix(), pattern) for pattern in patterns)]
+
+
+def all_sites(paths):
     """The places in formulas, and those in code; how a picture looks is for the goldens."""
     formulas, code = [], []
-    for path in sorted(p for folder in folders for p in pathlib.Path(folder).rglob('*.[ch]pp')):
+    for path in paths:
         text = path.read_text()
         formulas += formula_sites(path, text)
         if not path.as_posix().startswith('lib/draw/'):
@@ -211,6 +219,7 @@ def options():
     p.add_argument('--count', type=int, default=50, help='mutants')
     p.add_argument('--seed', type=int, default=1, help='which ones; the same seed draws the same from the same sources')
     p.add_argument('--where', default='calculators,lib', help='folders, with commas between them')
+    p.add_argument('--only', default='*', help="sources, by patterns with commas between them: 'lib/account/*'")
     p.add_argument('--jobs', type=int, default=2, help='suites that run at a time')
     p.add_argument('--seconds', type=float, default=7200, help='no further mutant after so long')
     p.add_argument('--least', type=float, default=0, help='percent that must be killed, or it exits with 1')
@@ -228,13 +237,16 @@ def check_start(build):
 def main():
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that the place is put back
     o = options()
+    paths = sources(o.where.split(','), o.only.split(','))
+    if not paths:
+        sys.exit(f'error: no source in {o.where} fits --only {o.only}')
     check_start(o.build)
     tests = Tests.of(o.build)
     if failed := first_failure(tests.commands_for(pathlib.Path('calculators')), o.jobs):
         sys.exit(f"error: fails before anything is changed: {' '.join(failed)}")
     random.seed(o.seed)
     print(f'seed {o.seed}', flush=True)
-    formulas, code = all_sites(o.where.split(','))
+    formulas, code = all_sites(paths)
     print(f'{len(formulas)} places in formulas, {len(code)} in code', flush=True)
     killed = survived = 0
     begun = time.monotonic()

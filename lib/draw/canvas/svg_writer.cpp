@@ -4,6 +4,8 @@
 #include "lib/draw/canvas/style.hpp"
 #include "lib/text/markup.hpp"
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace loadpath::draw {
@@ -17,24 +19,62 @@ void append_coordinate(std::string& out, double value) {
   if (out[at] != '-' && !after_command) out.insert(at, 1, ' ');
 }
 
-double rounded(double value) { return std::round(100.0 * value) / 100.0; }
+/// Digits behind the point of a coordinate: hundredths in a file that may be enlarged; in a page, where a unit is about
+/// a pixel, tenths.
+enum class Fineness { hundredths, tenths };
+
+/// Lines and arrowheads in a colour of the text, of which it cannot be seen which is drawn first.
+bool has_no_order(std::string_view style) {
+  constexpr std::array<std::string_view, 5> plain{"thin", "light", "solid", "outline", "centre"};
+  return std::find(plain.begin(), plain.end(), style) != plain.end();
+}
+
+/// Text without a halo covers no line.
+bool covers(const Canvas::Element& element) {
+  const auto* const words = std::get_if<Canvas::Words>(&element);
+  return words == nullptr || words->style.find("halo") != std::string::npos;
+}
+
+/// Paths of one style that become one element.
+struct Gathered {
+  const Canvas::Element* first;
+  std::vector<const Canvas::Path*> paths;
+};
+
+/// Dimensions alternate between a line and two arrowheads: those of a style are gathered as long as nothing that covers
+/// them comes between.
+std::vector<Gathered> gathered(const std::vector<Canvas::Element>& elements) {
+  std::vector<Gathered> all;
+  std::vector<std::pair<std::string_view, std::size_t>> open;  // style, place in `all`
+  for (const Canvas::Element& element : elements) {
+    const auto* const path = std::get_if<Canvas::Path>(&element);
+    if (path == nullptr || !has_no_order(path->style)) {
+      if (covers(element)) open.clear();
+      all.push_back({&element, {}});
+      continue;
+    }
+    const auto found = std::find_if(open.begin(), open.end(), [&](const auto& o) { return o.first == path->style; });
+    if (found != open.end()) {
+      all[found->second].paths.push_back(path);
+    } else {
+      open.emplace_back(path->style, all.size());
+      all.push_back({&element, {path}});
+    }
+  }
+  return all;
+}
 
 /// Writes element after element.
 class Svg {
  public:
-  explicit Svg(std::string& body) : body_(body) {}
+  explicit Svg(std::string& body, Fineness fineness) : body_(body), fineness_(fineness) {}
 
-  void operator()(const Canvas::Path& path) {
-    open("path", path.style);
-    body_ += " d=\"M";
-    Point last;
-    for (std::size_t i = 0; i < path.points.size(); ++i) {
-      const Point p{rounded(path.points[i].x), rounded(path.points[i].y)};
-      if (i == 1) body_ += 'l';
-      coordinates(p - last);
-      last = p;
-    }
-    body_ += path.closed ? "z\"/>\n" : "\"/>\n";
+  void operator()(const Canvas::Path& path) { paths({&path}); }
+  void paths(const std::vector<const Canvas::Path*>& all) {
+    open("path", all.front()->style);
+    body_ += " d=\"";
+    for (const Canvas::Path* path : all) data(*path);
+    body_ += "\"/>\n";
   }
   void operator()(const Canvas::Strokes& many) {
     open("path", many.style);
@@ -114,12 +154,12 @@ class Svg {
   }
   void attribute(std::string_view name, double value) {
     body_.append(" ").append(name).append("=\"");
-    append_number(body_, value);
+    append_number(body_, rounded(value));
     body_ += '"';
   }
   void coordinates(Point at) {
-    append_coordinate(body_, at.x);
-    append_coordinate(body_, at.y);
+    append_coordinate(body_, rounded(at.x));
+    append_coordinate(body_, rounded(at.y));
   }
   /// `dropped`: the run before is a subscript; whether this one is.
   bool add(const Run& run, bool dropped) {
@@ -135,8 +175,47 @@ class Svg {
     return sub;
   }
 
+  void data(const Canvas::Path& path) {
+    body_ += 'M';
+    Point last;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      const Point p{rounded(path.points[i].x), rounded(path.points[i].y)};
+      if (i == 1) body_ += 'l';
+      coordinates(p - last);
+      last = p;
+    }
+    if (path.closed) body_ += 'z';
+  }
+  [[nodiscard]] double rounded(double value) const {
+    const double parts = fineness_ == Fineness::tenths ? 10.0 : 100.0;
+    return std::round(parts * value) / parts;
+  }
+
   std::string& body_;
+  Fineness fineness_;
 };
+
+/// Scripts move the parts of groups, each from its exact place.
+bool is_still(const Picture& picture) {
+  return std::ranges::none_of(picture.canvas.elements(), [](const Canvas::Element& element) {
+    return std::holds_alternative<Canvas::GroupBegin>(element);
+  });
+}
+
+void append_elements(std::string& out, const Picture& picture, bool in_page) {
+  const bool is_short = in_page && is_still(picture);
+  Svg writer(out, is_short ? Fineness::tenths : Fineness::hundredths);
+  if (!is_short) {
+    for (const Canvas::Element& part : picture.canvas.elements()) std::visit(writer, part);
+    return;
+  }
+  for (const Gathered& parts : gathered(picture.canvas.elements())) {
+    if (parts.paths.empty())
+      std::visit(writer, *parts.first);
+    else
+      writer.paths(parts.paths);
+  }
+}
 
 std::string element(const Picture& picture, std::string_view title, const std::string& style) {
   const double natural = std::round(560.0 / view_width * picture.width);  // pixels on a wide page
@@ -152,8 +231,7 @@ std::string element(const Picture& picture, std::string_view title, const std::s
   out += "</title>\n<desc>";
   out += escaped(picture.description);
   out += "</desc>\n" + style + "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n";
-  Svg writer(out);
-  for (const Canvas::Element& part : picture.canvas.elements()) std::visit(writer, part);
+  append_elements(out, picture, style.empty());
   return out + "</svg>\n";
 }
 

@@ -1,5 +1,7 @@
 #include "lib/report/html/compact.hpp"
 
+#include "lib/report/html/used_rules.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -28,7 +30,6 @@ bool is_implied(View tag, View following) {
   constexpr std::array<View, 8> always{"/td", "/th", "/tr", "/thead", "/tbody", "/li", "/dt", "/dd"};
   constexpr std::array<View, 14> end_a_paragraph{"p",   "div",      "/div",    "section", "/section", "figure", "h2",
                                                  "pre", "/details", "details", "h3",      "ul",       "li",     "/li"};
-  if (!tag.starts_with('/')) return false;
   const View next = name_of_tag(following);
   if (next.empty()) return false;
   return is_one_of(tag, always) || (tag == "/p" && is_one_of(next, end_a_paragraph));
@@ -61,7 +62,7 @@ void append_start(std::string& out, View tag) {
 /// The end of an element whose content is no markup; 0 for other elements.
 std::size_t end_of_verbatim(View page, View name) {
   constexpr std::array<View, 3> verbatim{"script", "style", "pre"};
-  if (!is_one_of(name, verbatim)) return 0;
+  if (name.size() < 3 || !is_one_of(name, verbatim)) return 0;
   const std::size_t end = page.find("</" + std::string(name) + ">");
   return end == View::npos ? page.size() : end;
 }
@@ -69,6 +70,7 @@ std::size_t end_of_verbatim(View page, View name) {
 }  // namespace
 
 std::string compact(std::string_view page) {
+  const View whole = page;
   std::string out;
   out.reserve(page.size());
   while (!page.empty()) {
@@ -78,15 +80,18 @@ std::string compact(std::string_view page) {
     const std::size_t size = page.find('>');
     if (size == View::npos) return out.append(page);
     const View name = name_of_tag(page), tag = page.substr(0, size + 1);
-    const std::size_t verbatim = end_of_verbatim(page, name);
-    const View after = page.substr(size + 1);
-    const View following = after.substr(std::min(after.find_first_not_of(blanks), after.size()));
-    if (is_implied(name, following)) {
-      page = following;
+    if (name.starts_with('/')) {
+      const View after = page.substr(size + 1);
+      const View following = after.substr(std::min(after.find_first_not_of(blanks), after.size()));
+      page = is_implied(name, following) ? following : (out += tag, after);
       continue;
     }
+    const std::size_t verbatim = end_of_verbatim(page, name);
     append_start(out, tag);
-    if (verbatim > 0) out += page.substr(size + 1, verbatim - size - 1);
+    if (verbatim > 0) {
+      const View content = page.substr(size + 1, verbatim - size - 1);
+      out += name == "style" ? used_rules(content, whole) : std::string(content);
+    }
     page.remove_prefix(verbatim > 0 ? verbatim : size + 1);
   }
   return out;

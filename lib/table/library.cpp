@@ -91,6 +91,15 @@ class FoundRows {
 /// The line of a file with the name of its table, or its folder.
 std::string table_line(std::string_view name) { return "table = \"" + std::string(name); }
 
+/// The files that contain the words.
+std::vector<std::string_view> texts_with(std::string_view words) {
+  std::vector<std::string_view> texts;
+  for (const auto& file : embedded::tables()) {
+    if (file.text.find(words) != std::string_view::npos) texts.push_back(file.text);
+  }
+  return texts;
+}
+
 bool is_named(const Table& table, std::string_view name) {
   return table.name == name || std::string_view(table.name).substr(0, table.name.find('/')) == name;
 }
@@ -152,9 +161,9 @@ const Table* first_table_in(std::string_view name) {
 
 /// One citation is read from its line: the file of all of them takes longer than most commands.
 std::string citation(std::string_view key) {
-  for (const auto& file : embedded::tables()) {
-    if (file.text.find("[sources]") == std::string_view::npos) continue;
-    if (const auto text = plain_text(file.text, key)) return std::string(*text);
+  static const std::vector<std::string_view> cited = texts_with("[sources]");
+  for (const std::string_view file : cited) {
+    if (const auto text = plain_text(file, key)) return std::string(*text);
   }
   const auto& citations = built_in().citations;
   const auto found = citations.find(key);

@@ -22,16 +22,17 @@ std::optional<Item> next_item(std::string_view& markup) {
   Item item{name, tag.substr(name.size()), {}};
   markup.remove_prefix(end + 1);
   if (is_empty) return item;
-  const std::string open = "<" + std::string(name), close = "</" + std::string(name) + ">";
   int depth = 1;
-  for (std::size_t at = 0; (at = markup.find('<', at)) != std::string_view::npos; ++at) {
-    const std::string_view rest = markup.substr(at);
-    if (rest.starts_with(close) && --depth == 0) {
-      item.content = markup.substr(0, at);
-      markup.remove_prefix(at + close.size());
-      return item;
-    }
-    if (rest.starts_with(open) && (rest[open.size()] == '>' || rest[open.size()] == ' ')) ++depth;
+  for (std::size_t at = markup.find('<'); at != std::string_view::npos; at = markup.find('<', at + 1)) {
+    const bool closes = markup.substr(at + 1, 1) == "/";
+    const std::size_t begin = at + (closes ? 2 : 1), behind = begin + name.size();
+    if (behind >= markup.size() || (markup[behind] != '>' && markup[behind] != ' ')) continue;
+    if (markup.substr(begin, name.size()) != name) continue;
+    depth += closes ? -1 : 1;
+    if (depth > 0) continue;
+    item.content = markup.substr(0, at);
+    markup.remove_prefix(behind + 1);
+    return item;
   }
   return std::nullopt;
 }

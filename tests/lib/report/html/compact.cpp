@@ -1,5 +1,7 @@
 #include "lib/report/html/compact.hpp"
 
+#include "lib/report/html/used_rules.hpp"
+
 #include <doctest/doctest.h>
 
 #include <string>
@@ -36,5 +38,16 @@ TEST_SUITE("report") {
       CAPTURE(kept);
       CHECK(compact(kept) == kept);
     }
+  }
+
+  TEST_CASE("a page has the style rules of its elements and classes only") {
+    const std::string page = "<p class=\"a b\"></p>";
+    const auto kept = [&](const char* sheet) { return used_rules(sheet, page); };
+    CHECK(kept("p{x:1}\n.a{x:1}\n.c{x:1}\n.a.b,.c .a{x:1}\n") == "p{x:1}.a{x:1}.a.b{x:1}\n");
+    CHECK(kept("p:not(.c,.d),.a:is(.c,.b){x:1}") == "p:not(.c,.d),.a:is(.c,.b){x:1}");
+    CHECK(kept("@media print{\n.c{x:1}\n.b>i{x:1}\n}\n") == "@media print{.b>i{x:1}\n}\n");
+    CHECK(kept("@media print{\n.c{x:1}\n}\n") == "@media print{\n}\n");
+    CHECK(kept("@page{@top-left{content:\".c{\"}}\n.c{x:url(\"}\")}i{}") == "@page{@top-left{content:\".c{\"}}i{}");
+    CHECK(compact("<style>.c{x:1}</style>" + page) == "<style></style><p class=\"a b\"></p>");
   }
 }

@@ -69,8 +69,8 @@ std::vector<Kind> kinds_read(const std::vector<Output>& outputs) {
 
 bool reads_results(const Output& output) { return output.read_results != nullptr; }
 
-/// Finds outputs by their paths. They are asked for in their order, so each search goes on behind the last one: a
-/// search from the first output would make the cost of a long chain quadratic.
+/// Finds outputs by their paths. Both lists have the same order, so each search continues from the last one: a search
+/// from the first output would make the cost of a long chain quadratic.
 class ByPath {
  public:
   explicit ByPath(const std::vector<Output>& outputs) : outputs_(outputs), last_(outputs.begin()) {}

@@ -169,6 +169,8 @@ TEST_SUITE("found values not taken") {
     for (const char* const values : {"m_rod = \"3 kg\"", "rod_mass = \"3 kg\"", "m_slider = \"5 kg\"", "mu = 0.15",
                                      "mu_B = 0.2", "k_spring = \"5 N/mm\""})
       CHECK_MESSAGE(crank(values) == "not-judged", values);
+    CHECK(crank("m_crank = \"5 kg\"", "links.crank.mass = \"=0.1*values.m_crank\"\n") == "not-judged");
+    CHECK(crank("m_crank = \"5 kg\"", "links.crank.mass = \"=values.m_crank/2\"\n") == sound);
     for (const char* const values : {"m_rod = \"1.4 kg\"", "m_frame = \"240 kg\"", "mu_belt = 0.3"})
       CHECK_MESSAGE(crank(values) == sound, values);
   }

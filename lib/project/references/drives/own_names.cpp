@@ -70,22 +70,32 @@ bool is_explained(const Step& step, const Project& project, double share) {
   });
 }
 
+/// A load, or the mass of a link, which loads the mechanism.
+bool loads_a_part(const FieldInfo& field, std::string_view path) {
+  const bool is_mass = field.dimension == Dimension::of(0, 1, 0) && path.starts_with("links.");
+  return (field.is_load && !field.dimension.is_number()) || is_mass;
+}
+
 /// What the inputs of the project take of a value in total, as loads of this dimension.
 double taken_in_total(const Project& project, const std::string& path, const Dimension& dimension) {
   double total = 0.0;
   for (const auto& step : project.steps) {
     for (const Operand& operand : step->input().reading.operands) {
-      if (!operand.leaf.field->is_load || operand.leaf.field->dimension != dimension) continue;
+      const FieldInfo& field = *operand.leaf.field;
+      if (!loads_a_part(field, operand.path) || field.dimension != dimension) continue;
       if (only_value(operand) == path) total += std::fmax(0.0, std::abs(own_value(*step, project, operand.path)));
     }
   }
   return total;
 }
 
-/// A force that two equal parts share: symmetrical supports, two columns, two cylinders. A torque has no such supports.
-bool is_half_of_force(const Operand& operand, double share) {
+/// A force or mass that two equal parts share: symmetrical supports, two columns, two rods. A torque has no such
+/// supports.
+bool is_half_of_two(const Operand& operand, double share) {
   constexpr double half = 0.5;
-  if (operand.leaf.field->dimension != Dimension::of(1, 1, -2) || share < (1.0 - few_digits) * half) return false;
+  const Dimension& dimension = operand.leaf.field->dimension;
+  const bool is_shared = dimension == Dimension::of(1, 1, -2) || dimension == Dimension::of(0, 1, 0);
+  if (!is_shared || share < (1.0 - few_digits) * half) return false;
   std::string text = operand.text;
   std::erase(text, ' ');
   for (std::size_t at = text.find("/2"); at != std::string::npos; at = text.find("/2", at + 1)) {
@@ -98,10 +108,10 @@ bool is_half_of_force(const Operand& operand, double share) {
 /// A load that is a part of a load of [values] by a bare number: "F = =values.F/4". The parts may make up the whole,
 /// as two bearings with a half each; an angle states the direction of a component.
 void compare_load(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
-  constexpr double least = 0.85;  // the losses of a drive are free
+  constexpr double least = 0.85;  // losses of a drive need no reason
   const std::string path = only_value(operand);
   const FieldInfo& field = *operand.leaf.field;
-  if (path.empty() || !field.is_load || field.dimension.is_number() || operand.expression.is_reference()) return;
+  if (path.empty() || !loads_a_part(field, operand.path) || operand.expression.is_reference()) return;
   const Value* const value = project.value(path);
   if (value == nullptr || value->is_series() || value->signature.dimension != field.dimension) return;
   if (operand.text.find("sin") != std::string::npos || operand.text.find("cos") != std::string::npos ||
@@ -109,12 +119,12 @@ void compare_load(const Step& step, const Project& project, const Operand& opera
     return;
   const double stated = std::abs(magnitude_at(project, path));
   const double share = std::abs(own_value(step, project, operand.path)) / stated;
-  if (!(stated > 0.0 && share > 0.0 && share < least) || is_half_of_force(operand, share) ||
+  if (!(stated > 0.0 && share > 0.0 && share < least) || is_half_of_two(operand, share) ||
       is_explained(step, project, share))
     return;
   if (taken_in_total(project, path, field.dimension) >= least * stated) return;
-  found.push_back({operand.path, say("{1} is {2} times '{3}', which nothing else takes: refer to a value that explains "
-                                     "the share, as a number of parts, or justify it: {4} = \"...\"",
+  found.push_back({operand.path, say("{1} is {2} times '{3}', and no input takes the rest: refer to a value that "
+                                     "states the share or the number of parts, or justify it: {4} = \"...\"",
                                      operand.path, format_number(share, 4), path, because_key(operand.path))});
 }
 

@@ -92,7 +92,7 @@ json::object step_schema(const Calculator& calculator, Definitions& definitions)
   for (const std::string& group : table_groups(calculator)) properties[group] = definitions.row(group);
   if (calculator.result != nullptr) properties["display"] = display_schema(calculator);
   properties["accept"] = accept_schema(calculator);
-  if (calculator.result != nullptr) properties["because"] = because_schema(calculator);
+  properties["because"] = because_schema(calculator);
   if (!calculator.templates.empty()) add_templates(calculator, step, definitions);
   return step;
 }

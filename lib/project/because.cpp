@@ -48,9 +48,6 @@ void read_because(const Tree& table, StepInput& input, std::vector<Issue>& issue
     issues.push_back({because->value.place, key,
                       say("'{1}' is a table of reasons, not {2}", "because", toml::word_for(because->value.type)),
                       say("name the inputs: because = { R_e = \"certificate 4711\" }"), Severity::error});
-  } else if (input.calculator->result == nullptr) {
-    issues.push_back({because->place, key, say("no input of '{1}' needs a reason", input.calculator->id),
-                      say("leave out 'because'"), Severity::error});
   } else {
     for (const Tree::Entry& entry : because->value.entries) read_justification(entry, input, issues);
   }

@@ -171,6 +171,10 @@ TEST_SUITE("found values not taken") {
       CHECK_MESSAGE(crank(values) == "not-judged", values);
     CHECK(crank("m_crank = \"5 kg\"", "links.crank.mass = \"=0.1*values.m_crank\"\n") == "not-judged");
     CHECK(crank("m_crank = \"5 kg\"", "links.crank.mass = \"=values.m_crank/2\"\n") == sound);
+    CHECK(crank("m_rod = \"3 kg\"", "because.links = \"of the forged rod\"\n") == sound);
+    CHECK(crank("mu = 0.15", "because.joints = \"at standstill\"\n") == sound);
+    CHECK(crank("m_crank = \"5 kg\"",
+                "links.crank.mass = \"=0.1*values.m_crank\"\nbecause.\"links.crank.mass\" = \"hollow\"\n") == sound);
     for (const char* const values : {"m_rod = \"1.4 kg\"", "m_frame = \"240 kg\"", "mu_belt = 0.3"})
       CHECK_MESSAGE(crank(values) == sound, values);
   }

@@ -5,6 +5,8 @@
 #include "lib/calculator/leaves.hpp"
 #include "lib/calculator/record.hpp"
 
+#include <cmath>
+
 namespace loadpath {
 
 namespace detail {
@@ -147,8 +149,9 @@ constexpr FieldInfo info_of(const Choice<Owner, Enum>& f) {
     }
     return std::numeric_limits<double>::quiet_NaN();
   };
-  info.set = [](void* o, double index) {
-    static_cast<Owner*>(o)->*member_at<fields, I> = choices_of(Enum{})[static_cast<std::size_t>(index)].value;
+  info.set = [](void* o, double index) {  // NaN: not chosen, which is the default of the owner
+    static_cast<Owner*>(o)->*member_at<fields, I> =
+        std::isnan(index) ? Owner{}.*member_at<fields, I> : choices_of(Enum{})[static_cast<std::size_t>(index)].value;
   };
   return info;
 }

@@ -49,6 +49,20 @@ TEST_SUITE("contract" * by_element) {
     }
   }
 
+  TEST_CASE("a choice without a value is the default of its record") {
+    for (const Calculator* c : plain_calculators()) {
+      const Record blank(*c->input), record(*c->input);
+      for_each_leaf(record, [&](const std::string& path, const Leaf& leaf) {
+        if (leaf.field->type != Type::choice) return;
+        CAPTURE(path);
+        const double not_chosen = find_leaf(blank, path).get();
+        leaf.set(static_cast<double>(leaf.field->choices.size() - 1));
+        leaf.set(std::nan(""));
+        CHECK(same_bits(leaf.get(), not_chosen));
+      });
+    }
+  }
+
   TEST_CASE("a quantity of another dimension, or without a unit, is refused at its place") {
     for (const Calculator* c : calculators_taken()) {
       for (const FieldInfo& f : c->input->fields) {

@@ -87,9 +87,7 @@ void PreparedStep::check_rules_of_literals(std::vector<Issue>& issues) {
       for (const Leaf& leaf : pending) leaf.set(sample == 3 ? unset(leaf) : samples_of(*leaf.field)[sample]);
       broken = !calculator.holds(rule, record.data.get());
     }
-    for (std::size_t i = 0; i < pending.size(); ++i) {  // a choice that is not made yet has no name to go back to
-      if (pending[i].field->type != FieldInfo::Type::choice || !std::isnan(as_read[i])) pending[i].set(as_read[i]);
-    }
+    for (std::size_t i = 0; i < pending.size(); ++i) pending[i].set(as_read[i]);
     return broken;
   };
   for (std::size_t i = 0; i < calculator.rules.size(); ++i) {

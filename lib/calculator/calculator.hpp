@@ -118,6 +118,8 @@ struct Calculator {
   bool turns = false;
   /// Whether the parts that take its loads are those of one drive, which have one application factor.
   bool is_one_drive = false;
+  /// The input with the required life without which the part is rated for endurance: "L_h"; empty: it has none.
+  const char* life = "";
 
   [[nodiscard]] std::string_view element() const {
     const std::string_view all = id;

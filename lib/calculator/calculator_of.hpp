@@ -122,6 +122,7 @@ constexpr Calculator calculator_of() {
   if constexpr (requires { C::takes_series; }) c.takes_series = C::takes_series;
   if constexpr (requires { C::turns; }) c.turns = C::turns;
   if constexpr (requires { C::is_one_drive; }) c.is_one_drive = C::is_one_drive;
+  if constexpr (requires { C::life; }) c.life = C::life;
   return c;
 }
 

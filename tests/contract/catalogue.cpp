@@ -45,6 +45,13 @@ TEST_SUITE("contract" * by_element) {
     }
   }
 
+  TEST_CASE("a required life is an optional input") {
+    for (const Calculator* c : calculators_taken()) {
+      const FieldInfo* const life = *c->life == '\0' ? nullptr : find_field(c->input->fields, c->life);
+      if (*c->life != '\0') CHECK_MESSAGE((life != nullptr && life->optional), std::string(c->id));
+    }
+  }
+
   TEST_CASE("ids are an element and a case, and their sources are in the bibliography") {
     std::set<std::string> ids;
     for (const Calculator* c : calculators_taken()) {

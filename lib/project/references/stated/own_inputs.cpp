@@ -122,10 +122,8 @@ class OwnInputs {
     return !is_of_body(dimension) && !is_constant && dimension != speed;
   }
 
-  /// A gear without a required life is rated for endurance.
-  [[nodiscard]] bool is_of_endurance(std::string_view name) const {
-    return name == "L_h" && step_.input().calculator->id == std::string_view("gear.rating");
-  }
+  /// Without a required life the part is rated for endurance.
+  [[nodiscard]] bool is_of_endurance(std::string_view name) const { return name == step_.input().calculator->life; }
 
   /// A value that the step does without on the safe side: an oil whose lubricant factor is not below 1, the slope of a
   /// conveyor or the helix angle of gears whose forces no step takes.

@@ -210,6 +210,23 @@ FieldFault SphericalFourBar::open_at_phi(const Input& in) {
           format_quantity(range.high, "deg", 6))};
 }
 
+/// Of an angle and a range, whatever turns they include.
+bool SphericalFourBar::position_is_in_use(const Input& in) {
+  if (!is_set(in.phi_1) || !is_set(in.phi_a) || !is_set(in.phi_b)) return true;
+  constexpr double rounding = 1e-9;
+  const double after_start = in.phi_1 - in.phi_a - turn * std::floor((in.phi_1 - in.phi_a + rounding) / turn);
+  return after_start <= in.phi_b - in.phi_a + rounding;
+}
+
+FieldFault SphericalFourBar::position_out_of_use(const Input& in) {
+  return {"phi_1",
+          say("phi_1 = {1} is outside the range in use, {2} to {3}: the results at phi_1 are those of a position that "
+              "closure and transmission angle are not assessed at",
+              format_quantity(in.phi_1, "deg", 6), format_quantity(in.phi_a, "deg", 6),
+              format_quantity(in.phi_b, "deg", 6)),
+          say("give a range phi_a to phi_b that includes phi_1, or a phi_1 within it")};
+}
+
 template <class Tracer>
 SphericalFourBar::Result SphericalFourBar::evaluate(const Input& in, Tracer& trace) {
   Result r;

@@ -145,6 +145,8 @@ M_4 = "10 N*m"
   static bool arcs_close(const Input& in);
   static bool closes_at_phi(const Input& in);
   static FieldFault open_at_phi(const Input& in);
+  static bool position_is_in_use(const Input& in);
+  static FieldFault position_out_of_use(const Input& in);
   static constexpr bool turns = true;
   static constexpr std::array rules{
       Rule<Input>{
@@ -158,7 +160,9 @@ M_4 = "10 N*m"
       Rule<Input>{[](const Input& in) { return !(in.phi_a >= in.phi_b); }, "phi_b, phi_a",
                   "the range must end after its start"},
       Rule<Input>{[](const Input& in) { return !(in.phi_b - in.phi_a > 6.2832); }, "phi_b, phi_a",
-                  "the range must not exceed a revolution"}};
+                  "the range must not exceed a revolution"},
+      Rule<Input>{&position_is_in_use, "phi_1, phi_a, phi_b", "the range in use should include phi_1",
+                  &position_out_of_use, true}};
 
   static constexpr std::array modes{
       Mode<Input>{"closure", "closure over the input range", &always<Input>}.judged_by("u_c").of_shape(),

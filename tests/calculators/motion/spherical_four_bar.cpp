@@ -2,6 +2,7 @@
 // the coupler against that of its neighbours.
 #include "calculators/motion/spherical/four_bar.hpp"
 #include "tests/calculators/motion/solved.hpp"
+#include "tests/lib/project/solved.hpp"
 
 #include <array>
 #include <numbers>
@@ -195,6 +196,20 @@ TEST_SUITE("motion spherical four bar") {
     CHECK(near(s("i_max"), high, 1e-3));
     CHECK(s("i_max") >= high - 1e-12);
     CHECK(near(s("M_1max"), 4.0 * std::max(std::abs(s("i_min")), std::abs(s("i_max")))));
+  }
+
+  TEST_CASE("a range in use without phi_1 is reported") {
+    const auto warnings = [](const char* phi_1, const char* phi_a, const char* phi_b) {
+      const std::string of(find_calculator(calculators(), "motion.spherical_four_bar")->example);
+      return Solved(with_lines(of, std::string("phi_1 = \"") + phi_1 + "\"\nphi_a = \"" + phi_a + "\"\nphi_b = \"" +
+                                       phi_b + "\"\n"))
+          .messages();
+    };
+    const std::string outside = "phi_1 = 50 deg is outside the range in use, 60 deg to 120 deg";
+    CHECK_MESSAGE(contains(warnings("50 deg", "60 deg", "120 deg"), outside), warnings("50 deg", "60 deg", "120 deg"));
+    CHECK(warnings("50 deg", "50 deg", "120 deg").empty());
+    CHECK(warnings("50 deg", "-20 deg", "50 deg").empty());
+    CHECK(warnings("410 deg", "40 deg", "60 deg").empty());  // a revolution further
   }
 
   TEST_CASE("small arcs are a planar linkage") {

@@ -24,8 +24,11 @@ bool JointSearch::passes() {
   return pass;
 }
 
-/// All alike, from the middle of the stocks in wide steps, down while they pass or up until they do; then one by one.
-bool JointSearch::find_start(SizeIndices& least) {
+/// All alike, or where given diameters limit some of them, these as large as they may be.
+bool JointSearch::find_start(SizeIndices& least) { return find_alike(least) || (sizes_.cap() && find_alike(least)); }
+
+/// From the middle of the stocks in wide steps, down while they pass or up until they do; then one by one.
+bool JointSearch::find_alike(SizeIndices& least) {
   const std::vector<double> levels = sizes_.levels();
   const auto fits = [&](std::size_t level) {
     least = sizes_.first_from(levels[level]);
@@ -217,6 +220,7 @@ bool JointSearch::find_cheapest(SizeIndices& least) {
 
 /// If none pass: the largest that satisfy every rule about them.
 bool JointSearch::set_largest(SizeIndices& least) {
+  sizes_.cap();
   const std::vector<double> levels = sizes_.levels();
   for (std::size_t level = levels.size(); level-- > 0;) {
     least = sizes_.first_from(levels[level]);
@@ -288,6 +292,7 @@ std::optional<account::TriedSize> JointSearch::next_of(const SizeIndices& laid, 
 /// Ignores checks that no size satisfies: those that fail with both the smallest and the largest sizes within the
 /// rules, all alike, and do not improve with the largest. Returns whether there are any.
 bool JointSearch::excuse_unmoved() {
+  sizes_.cap();
   const auto keeps_rules_at = [&](double level) {
     if (!sizes_.set(sizes_.first_from(level))) return false;
     settle();
@@ -309,6 +314,7 @@ bool JointSearch::excuse_unmoved() {
 /// No sizes pass together: none has a value. Reports the failures of the nearest ones, all alike unless their
 /// neighbours require otherwise.
 void JointSearch::leave_open(SizeIndices nearest) {
+  sizes_.cap();
   Shortfall least;
   bool is_first = true;
   for (const double level : sizes_.levels()) {

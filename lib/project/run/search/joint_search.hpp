@@ -36,6 +36,7 @@ class JointSearch {
   void settle() { last_.reset(), evaluation_.settle_sizes(); }
   bool passes_with(const SizeIndices& least) { return sizes_.set(least) && passes(); }
   bool find_start(SizeIndices& least);
+  bool find_alike(SizeIndices& least);
   void lower(SizeIndices& least);
   bool lower_one(SizeIndices& least, std::size_t which);
   void lower_alone(SizeIndices& least);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -73,10 +74,34 @@ SizeIndices JointSizes::first_from(double size) const {
   first.reserve(count());
   for (const std::vector<double>& all : sizes_)
     first.push_back(static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), size) - all.begin()));
+  for (std::size_t i = 0; i < caps_.size(); ++i) first[i] = std::min(first[i], caps_[i]);
   return first;
 }
 
-bool JointSizes::arrange(std::size_t way) { return sizing_.arrange(inputs_.record().data.get(), sought_, way); }
+bool JointSizes::arrange(std::size_t way) {
+  caps_.clear();
+  return sizing_.arrange(inputs_.record().data.get(), sought_, way);
+}
+
+bool JointSizes::cap() {
+  SizeIndices caps;
+  bool limits = false;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const auto is_possible = [&](std::size_t at) {
+      SizeIndices least(count(), 0);
+      least[i] = at;
+      return set(least) && is_sound();
+    };
+    const std::size_t last = sizes_[i].size() - 1;
+    std::size_t cap = last;
+    while (cap > 0 && !is_possible(cap)) --cap;
+    if (cap == 0 && !is_possible(0)) cap = last;  // a fault that no size removes
+    limits = limits || cap < last;
+    caps.push_back(cap);
+  }
+  caps_ = std::move(caps);
+  return limits;
+}
 
 bool JointSizes::set(const SizeIndices& least) {
   for (std::size_t i = 0; i < count(); ++i) {

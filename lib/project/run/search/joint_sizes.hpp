@@ -33,10 +33,15 @@ class JointSizes {
   [[nodiscard]] bool is_first(std::size_t i) const { return sought_[i].like == i; }
   /// All sizes of all stocks, each once, ascending.
   [[nodiscard]] std::vector<double> levels() const;
-  /// The first size of each stock that is not below `size`.
+  /// The first size of each stock that is not below `size`, within the caps.
   [[nodiscard]] SizeIndices first_from(double size) const;
 
-  /// Selects one of the calculator's arrangements of the sizes; false if there are no more.
+  /// Limits `first_from` to the largest size that each may have next to what is given: a collar, one cylinder with it.
+  /// Sizes that are possible alone are possible together, because each requires only more of its neighbours. Returns
+  /// whether one of them is limited.
+  bool cap();
+
+  /// Selects one of the calculator's arrangements of the sizes, without caps; false if there are no more.
   bool arrange(std::size_t way);
   /// Sets sizes that go together, none of which is below its least; false if there are none.
   bool set(const SizeIndices& least);
@@ -60,6 +65,7 @@ class JointSizes {
   std::vector<std::string> stocks_;
   std::vector<std::vector<double>> sizes_;
   std::vector<Sought> sought_;
+  SizeIndices caps_;  // empty: none
 };
 
 }  // namespace loadpath::project

@@ -298,8 +298,15 @@ struct Count : detail::Described<Count<Owner>> {
 template <class Owner>
 struct NameField : detail::Described<NameField<Owner>> {
   Name Owner::*at;
+  const char* searched_in = "";
   constexpr NameField(Name Owner::*member, const char* k, const char* d)
       : detail::Described<NameField<Owner>>{k, d}, at{member} {}
+  /// "?": the first kind of the rows of a table group, in the order of their sizes, with which every check passes.
+  [[nodiscard]] constexpr NameField findable(const char* group) const {
+    NameField f = *this;
+    f.searched_in = group;
+    return f;
+  }
 };
 
 /// A quantity as a formula of one variable (lib/quantity/expression/law.hpp): a text that the calculator reads, or one

@@ -126,6 +126,7 @@ constexpr void let_text(Text Owner::*, FieldInfo& info) {
 template <const auto& fields, Role role, std::size_t I, class Owner>
 constexpr FieldInfo info_of(const NameField<Owner>& f) {
   FieldInfo info = described(f, FieldInfo::Type::name, role);
+  info.searched_in = f.searched_in;
   let_text<fields, I>(f.at, info);
   return info;
 }

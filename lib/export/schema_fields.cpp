@@ -92,8 +92,11 @@ json::object schema_of(const FieldInfo& field, void* blank, Definitions& definit
     case Type::choice:
       return choice(field);
     case Type::name:
-      return either({{"type", "string"}, {"pattern", "^[A-Za-z_][A-Za-z0-9_]*$"}, {"maxLength", Name::capacity}},
-                    expression());
+      return either(
+          {{"type", "string"},
+           {"pattern", *field.searched_in == '\0' ? "^[A-Za-z_][A-Za-z0-9_]*$" : "^([A-Za-z_][A-Za-z0-9_]*|[?])$"},
+           {"maxLength", Name::capacity}},
+          expression());
     case Type::formula:
       return {{"type", "string"}, {"maxLength", field.capacity}};
     case Type::list:

@@ -142,7 +142,8 @@ std::string_view order_of(std::string_view group) {
   using Pair = std::pair<std::string_view, std::string_view>;
   constexpr std::array orders{
       Pair{"bearing", "m"}, Pair{"chain", "p"},       Pair{"circlip", "d_1"}, Pair{"key", "b"},
-      Pair{"section", "A"}, Pair{"set_screw", "d_s"}, Pair{"spline", "d_2"},  Pair{"synchronous_belt", "p_b"}};
+      Pair{"section", "A"}, Pair{"set_screw", "d_s"}, Pair{"spline", "d_2"},  Pair{"synchronous_belt", "p_b"},
+      Pair{"v_belt", "w_d"}};
   const auto found =
       std::find_if(orders.begin(), orders.end(), [&](const auto& order) { return order.first == group; });
   return found == orders.end() ? std::string_view() : found->second;

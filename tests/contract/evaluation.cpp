@@ -206,7 +206,7 @@ TEST_SUITE("contract: evaluation" * by_element) {
         if (leaf.field->provider.kind == Provider::Kind::companion) leaf.set(leaf.field->factor);
       });
       for_each_leaf(s.input, [&](const std::string& path, const Leaf& leaf) {
-        if (*leaf.field->searched_in == '\0') return;
+        if (leaf.field->type != FieldInfo::Type::quantity || *leaf.field->searched_in == '\0') return;
         const Sweep swept(*c, s, path, {1e-3, 0.02, 0.05, 1.0});
         for (std::size_t k = 0; k < swept.outputs.size(); ++k) {
           if (!swept.outputs[k]->is_sizeless) continue;

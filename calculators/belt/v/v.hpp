@@ -59,7 +59,7 @@ L = "2650 mm"
   static constexpr auto inputs = join(
       Fields{RecordField<Input>{"drive", "drive selected by belt.v_sizing: drive = \"=pick.best\""},
              Choice{&Input::basis, "basis", "rating method: ISO 5292 or Optibelt"}.may_be_missing(),
-             NameField{&Input::section, "section", "belt section, e.g. A, SPB"},
+             NameField{&Input::section, "section", "belt section, e.g. A, SPB"}.findable("v_belt"),
              Choice{&Input::belt_class, "belt_class", "belt class, with the basis iso"}.may_be_missing(),
              Field{&Input::P, "P", kW, "power, mean over the cycle"}
                  .load()

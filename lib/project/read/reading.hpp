@@ -45,7 +45,7 @@ struct Taken {
 /// The goal of a search: the smallest of a stock, or the largest value, or the first row of a table, that passes.
 struct Search {
   std::string path;
-  Leaf leaf;          // without field: the row of a table
+  Leaf leaf;          // without field: the row of a table, or a name, one of the kinds of the rows of a group
   std::string stock;  // empty: the largest value
   Place place;
   bool names_stock = false;  // the user, not the field

@@ -201,6 +201,8 @@ void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, co
   if (takes(tree, field, path)) return;
   if (tree.type != Tree::Type::text)
     return say_at(tree.place, path, say("a name is expected, not {1}", toml::word_for(tree.type)));
+  if (tree.text == "?" && *field.searched_in != '\0')
+    return reading_.searches.push_back({path, {}, field.searched_in, tree.place});
   if (!is_name(tree.text)) {
     return say_at(tree.place, path, say("'{1}' is not a valid name", tree.text),
                   say("a name has Latin letters, digits and '_', and does not start with a digit"));

@@ -132,6 +132,7 @@ void PreparedStep::check_stock(const Search& search, std::vector<Issue>& issues)
   const auto refuse = [&](Message message, Message hint) {
     issues.push_back({search.place, name() + "." + search.path, std::move(message), std::move(hint), Severity::error});
   };
+  if (seeks_name(search)) return;
   if (search.leaf.field == nullptr) {
     if (table::order_of(search.path).empty())
       return refuse(say("'{1}' cannot be searched for: its rows have no order", search.path),
@@ -157,6 +158,11 @@ void PreparedStep::check_stock(const Search& search, std::vector<Issue>& issues)
   } else if (!search.stock.empty() && stock_values(*input().tables, search.stock).empty()) {
     refuse(say("unknown stock '{1}'", search.stock), did_you_mean(search.stock, input().tables->series_names()));
   }
+}
+
+bool PreparedStep::seeks_name(const Search& search) const {
+  const FieldInfo* const field = find_field(input().calculator->input->fields, search.path);
+  return !search.leaf && field != nullptr && field->type == FieldInfo::Type::name;
 }
 
 bool PreparedStep::names_row_for(const std::string& field) const {

@@ -26,6 +26,8 @@ class PreparedStep : public Step {
   [[nodiscard]] const Axis* axis() const { return axis_; }
   [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
   [[nodiscard]] const std::vector<Search>& searches() const { return searches_; }
+  /// Whether a search is for a name: one of the kinds of the rows of a group.
+  [[nodiscard]] bool seeks_name(const Search& search) const;
   /// Whether they are sizes that the calculator finds jointly.
   [[nodiscard]] bool sizes_together() const;
   /// The origins of the elements of lists that a row has filled, by leaf.

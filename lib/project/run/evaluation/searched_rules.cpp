@@ -9,7 +9,7 @@ namespace {
 
 bool concerns(const PreparedStep& step, const Search& wanted, std::size_t rule) {
   if (wanted.leaf && wanted.leaf.field->is_load) return true;
-  if (wanted.leaf) return step.is_about(rule, wanted.path);
+  if (wanted.leaf || step.seeks_name(wanted)) return step.is_about(rule, wanted.path);
   const Calculator& calculator = *step.input().calculator;
   const auto fields = listed_keys(calculator.rules[rule].fields);
   return std::any_of(fields.begin(), fields.end(), [&](const std::string& key) {

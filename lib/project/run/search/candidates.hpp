@@ -1,4 +1,4 @@
-// The candidates of a search, from small to large: sizes of a stock, or rows of a table.
+// The candidates of a search, from small to large: sizes of a stock, rows of a table, or their kinds.
 #pragma once
 
 #include "lib/project/run/evaluation/evaluation.hpp"
@@ -11,9 +11,10 @@ namespace loadpath::project {
 
 struct Candidates {
   const Search& wanted;
-  Leaf leaf;  // without field: rows
+  Leaf leaf;  // without field: rows, or kinds of them
   std::vector<double> sizes;
   std::vector<std::string> rows;
+  Leaf chosen = {};  // the name that is one of the kinds; without field: rows or sizes
   [[nodiscard]] std::size_t count() const { return leaf ? sizes.size() : rows.size(); }
   [[nodiscard]] Message name(std::size_t i) const;
   /// The stock or the table: "R40", "key".

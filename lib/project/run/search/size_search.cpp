@@ -239,7 +239,7 @@ void SizeSearch::leave_open(Message why, std::vector<account::TriedSize> tried) 
 void SizeSearch::warn_of_passed_over(std::size_t found, std::vector<Issue>& issues) {
   std::size_t count = 0;
   Issue first;
-  for (std::size_t i = 0; i < found && !candidates_.leaf; ++i) {
+  for (std::size_t i = 0; i < found && !candidates_.leaf && !candidates_.chosen; ++i) {
     keeps_rules_with(i);
     const auto rule = passing_.first_broken_rule();
     if (!rule || count++ > 0) continue;

@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -21,16 +22,20 @@ namespace {
 
 /// What is searched for in the example of a calculator, with other lines, under a load from small to large.
 struct Sized {
-  std::string calculator, key, stock;  // of a row: a table, or empty for all of its group
+  std::string calculator, key, stock;  // of a row: a table, or empty for all of its group; of a name: "kinds of GROUP"
   std::string lines, load, unit;
   std::vector<double> values;
 
-  [[nodiscard]] bool is_row() const { return stock.empty() || stock.find('/') != std::string::npos; }
+  [[nodiscard]] bool is_name() const { return stock.starts_with("kinds of "); }
+  [[nodiscard]] bool is_row() const { return stock.empty() || is_name() || stock.find('/') != std::string::npos; }
 };
 
 const std::string round_bar = "section =\nmethod = \"johnson\"\nsigma_P =\n";
 const std::string of_chain = "p_adm = \"35 MPa\"\nP_R =\nS_min = 7.6\n";
 const std::string of_section = "d =\nmethod = \"euler\"\nl = \"3 m\"\n";
+const std::string of_iso =
+    "basis = \"iso\"\nbelt_class = \"III\"\nduty =\nmotor =\nh_day =\nK_A = 1.2\nz = 3\nd_1 = \"140 mm\"\nd_2 = \"280 "
+    "mm\"\nL = \"2000 mm\"\n";
 const std::string of_bearing =
     "kind =\nC =\nC_0 =\nf_0 =\nn_max =\nF_a =\nL_h = \"10000 h\"\ns_0 = 1\nn = \"900 rpm\"\n";
 
@@ -65,6 +70,8 @@ const std::vector<Sized> all_sized{
     {"shaft.spline", "spline", "", "", "T", "N*m", {60, 640, 2000}},
     {"shaft.set_screw", "set_screw", "", "d = \"60 mm\"\n", "T", "N*m", {4, 20, 100}},
     {"belt.synchronous", "synchronous_belt", "", "", "P", "kW", {0.5, 4, 12}},
+    {"belt.v", "section", "kinds of v_belt", "z = 4\n", "P", "kW", {8, 20, 40, 80}},
+    {"belt.v", "section", "kinds of v_belt", of_iso, "P", "kW", {1, 5, 14}},
 };
 
 std::string number(double value, const std::string& unit) {
@@ -77,12 +84,19 @@ std::string number(double value, const std::string& unit) {
 std::string lines_of(const Sized& sized, double load, const std::string& value) {
   return sized.lines + sized.load + " = " + number(load, sized.unit) + "\n" + sized.key + " = " + value + "\n";
 }
-std::string asked(const Sized& sized) { return sized.stock.empty() ? "\"?\"" : "{ stock = \"" + sized.stock + "\" }"; }
+std::string asked(const Sized& sized) {
+  return sized.stock.empty() || sized.is_name() ? "\"?\"" : "{ stock = \"" + sized.stock + "\" }";
+}
 
 /// All that can be typed instead, from small to large: "45 mm" in quotes, or a row.
 std::vector<std::string> candidates(const Sized& sized) {
   std::vector<std::string> all;
-  if (sized.is_row()) {
+  if (sized.is_name()) {
+    for (const table::Entry& row : table::Tables{}.ordered_rows(sized.stock.substr(9), "")) {
+      const std::string kind = "\"" + row.row->kind + "\"";
+      if (std::find(all.begin(), all.end(), kind) == all.end()) all.push_back(kind);
+    }
+  } else if (sized.is_row()) {
     for (const table::Entry& row : table::Tables{}.ordered_rows(sized.key, sized.stock))
       all.push_back("\"" + row.row->name + "\"");
   } else {

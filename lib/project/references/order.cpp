@@ -2,6 +2,7 @@
 
 #include "lib/project/references/paths/circles.hpp"
 #include "lib/project/references/references.hpp"
+#include "lib/project/references/row_pairs.hpp"
 
 #include <algorithm>
 #include <set>
@@ -29,6 +30,7 @@ class Ordering {
       });
     }
     take_beforehand();
+    search_together();
     leave_open();
     put_behind_whole();
     for (std::size_t i = 0; i < state_.size(); ++i) visit(i);
@@ -61,6 +63,29 @@ class Ordering {
         project_.beforehand[edge.path] = {};
         return true;
       });
+    }
+  }
+
+  /// Edges between two steps whose rows are searched for together: the first of them needs all that both need.
+  void search_together() {
+    for (const RowPair& pair : row_pairs(project_)) {
+      cut(pair.b, pair.a, pair.of_a);
+      cut(pair.a, pair.b, pair.of_b);
+      const std::vector<Edge> of_a = edges_[pair.a];
+      for (const Edge& edge : edges_[pair.b]) {
+        if (edge.to != pair.a) edges_[pair.a].push_back({edge.to, {}});
+      }
+      for (const Edge& edge : of_a) {
+        if (edge.to != pair.b) edges_[pair.b].push_back({edge.to, {}});
+      }
+    }
+  }
+
+  void cut(std::size_t from, std::size_t to, const std::vector<std::string>& inputs) {
+    for (const std::string& input : inputs) {
+      const std::string path = project_.steps[to]->name() + "." + input;
+      std::erase_if(edges_[from], [&](const Edge& edge) { return edge.to == to && edge.path == path; });
+      project_.beforehand[path] = {};
     }
   }
 

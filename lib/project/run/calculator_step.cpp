@@ -3,7 +3,9 @@
 #include "lib/project/run/account.hpp"
 #include "lib/project/run/evaluation/left_loads.hpp"
 #include "lib/project/run/input_effects.hpp"
-#include "lib/project/run/search/search.hpp"
+#include "lib/table/tables.hpp"
+
+#include <cmath>
 
 namespace loadpath::project {
 
@@ -13,7 +15,7 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   if (!inputs.take_from_others(issues) || !inputs.evaluate_operands(issues)) return;
   loads().left = left_loads(*this, inputs, known);
   if (!refuse_other_parts(evaluation, known, issues) || !evaluation.check_rules(issues)) return;
-  if (!run_search(evaluation, wanted.words, issues)) return;
+  if (!run_search(evaluation, wanted.words, issues, together_ ? &*together_ : nullptr)) return;
   Findings found{.results = evaluate_all(evaluation, wanted.words)};
   found.weighed = weigh_typed_values(evaluation, found.results, known, wanted, issues);
   found.governing = evaluate_governing(evaluation, found.results, wanted.words);
@@ -34,6 +36,30 @@ void CalculatorStep::solve_without(const std::set<std::string>& inputs, const Kn
   found.governing = evaluate_governing(evaluation, found.results, false);
   fill_account(evaluation, found, {.pictures = false, .formulas = false, .unused = false, .words = false},
                own_account());
+}
+
+std::vector<RowOfSearch> CalculatorStep::rows_of_search(const std::vector<std::string>& of) const {
+  const Search& search = searches().front();
+  std::vector<RowOfSearch> all;
+  const auto rows = input().tables->ordered_rows(search.path, search.stock, search.where);
+  for (const table::Entry& entry : *rows) {  // its text has been checked
+    RowOfSearch row{entry.row->name, table::property(entry, table::order_of(search.path))->si, {}};
+    for (const std::string& key : of) {
+      const auto value = table::property(entry, find_field(input().calculator->input->fields, key)->provider.column);
+      row.given.push_back(value ? value->si : std::nan(""));
+    }
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
+std::vector<std::size_t> CalculatorStep::first_rows_that_pass(const Known& known,
+                                                              std::span<const std::size_t> alike) const {
+  Evaluation evaluation(*this, known);
+  std::vector<Issue> told;  // reported by the complete solution
+  if (!evaluation.inputs().take_from_others(told) || !evaluation.inputs().evaluate_operands(told))
+    return std::vector<std::size_t>(alike.size(), alike.size());
+  return project::first_rows_that_pass(evaluation, alike);
 }
 
 std::unique_ptr<Step> make_calculator_step(StepInput&& input) {

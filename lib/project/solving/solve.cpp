@@ -16,6 +16,7 @@
 #include "lib/project/solving/body_facts.hpp"
 #include "lib/project/solving/companions.hpp"
 #include "lib/project/solving/elements.hpp"
+#include "lib/project/solving/row_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -162,8 +163,14 @@ void solve_steps(Project& project, std::vector<Issue>& issues, const Wanted& wan
   for (auto& [path, value] : project.beforehand) value = value_beforehand(project, path).value_or(Value{});
   std::map<std::size_t, Handed> provisional;
   std::map<std::size_t, std::set<std::string>> left_out;
+  std::vector<RowPair> pairs = row_pairs(project);
   for (const Pass& pass : project.passes) {
     Step& step = *project.steps[pass.step];
+    std::erase_if(pairs, [&](const RowPair& pair) {
+      const bool is_of_it = pass.step == pair.a || pass.step == pair.b;
+      if (is_of_it) find_rows_together(project, pair, known);
+      return is_of_it;
+    });
     if (!pass.without.empty()) {
       step.solve_without(pass.without, known);
       provisional[pass.step] = {};

@@ -1,5 +1,7 @@
 // Two bearings at an angle that share the axial force of their shaft.
 #include "calculators/bearing/rolling.hpp"
+#include "lib/account/conclusion.hpp"
+#include "lib/table/tables.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/says.hpp"
@@ -10,7 +12,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace {
 
@@ -47,6 +52,30 @@ Loads load_cases(double F_A, double Y_A, double F_B, double Y_B, double K_a, boo
   const double A = 0.5 * F_A / Y_A, B = 0.5 * F_B / Y_B;
   if (to_B) return A >= B || K_a >= B - A ? Loads{A, A + K_a} : Loads{B - K_a, B};
   return A <= B || K_a >= A - B ? Loads{B + K_a, B} : Loads{A, A - K_a};
+}
+
+/// A pair whose bearings take Y of each other; a row in quotes, or a search. Forces in kN.
+std::string searched_pair(const std::string& left, const std::string& right, double F_left, double F_right,
+                          double F_a) {
+  const auto of = [&](const std::string& name, const std::string& row, const char* x, double F,
+                      const std::string& mate) {
+    return "[" + name + "]\ncalculator = \"bearing.rolling\"\nbearing = " + row + "\nF_r = \"" + std::to_string(F) +
+           " kN\"\nF_a = \"" + std::to_string(F_a) +
+           " kN\"\nn = \"900 rpm\"\nL_h = \"10000 h\"\ns_0 = 1.5\narrangement = \"back_to_back\"\nx = \"" + x +
+           "\"\nmate = { " + mate + " }\n";
+  };
+  const auto mate = [](double F, const char* x, const char* other) {
+    return "F_r = \"" + std::to_string(F) + " kN\", x = \"" + x + "\", Y = \"=" + other + ".Y\"";
+  };
+  return of("left", left, "10 mm", F_left, mate(F_right, "200 mm", "right")) +
+         of("right", right, "200 mm", F_right, mate(F_left, "10 mm", "left"));
+}
+
+bool is_sound(const Solved& pair) {
+  return pair.errors().empty() && std::none_of(pair.all.begin(), pair.all.end(), [](const account::Mode& mode) {
+           using account::State;
+           return mode.state == State::fail || mode.state == State::not_covered || mode.state == State::not_available;
+         });
 }
 
 }  // namespace
@@ -119,6 +148,40 @@ TEST_SUITE("rolling bearing") {
         CHECK(mode_of(project, step, "mate") == "pass");
       }
     }
+  }
+
+  TEST_CASE("the rows of both bearings of a pair may be searched: no lighter pair passes") {
+    constexpr std::string_view table = "bearing/302";
+    const std::vector<table::Entry> rows = table::Tables{}.ordered_rows("bearing", table);
+    const std::string search = "{ stock = \"bearing/302\" }";
+    const auto mass = [](const table::Entry& row) { return table::property(row, "m")->si; };
+    for (const auto& [F_left, F_right, F_a] : {std::array{5.0, 9.0, 2.0}, std::array{12.0, 3.0, -6.0}}) {
+      const Solved found(searched_pair(search, search, F_left, F_right, F_a));
+      REQUIRE_MESSAGE(is_sound(found), found.messages());
+      std::string best_left, best_right;
+      double least = std::numeric_limits<double>::infinity();
+      for (const table::Entry& left : rows) {
+        for (const table::Entry& right : rows) {
+          if (mass(left) + mass(right) >= least) continue;
+          const auto quoted = [](const table::Entry& row) { return "\"" + row.row->name + "\""; };
+          if (!is_sound(Solved(searched_pair(quoted(left), quoted(right), F_left, F_right, F_a)))) continue;
+          least = mass(left) + mass(right);
+          best_left = left.row->name, best_right = right.row->name;
+        }
+      }
+      CHECK(found.word("left.bearing") == best_left);
+      CHECK(found.word("right.bearing") == best_right);
+      CHECK(found.value("left.mate.Y") == found.value("right.Y"));
+      CHECK(found.value("right.mate.Y") == found.value("left.Y"));
+    }
+  }
+
+  TEST_CASE("a pair of which no rows pass together has no solution") {
+    const std::string search = "{ stock = \"bearing/302\" }";
+    const Solved none(searched_pair(search, search, 5.0, 5000.0, 0.0));
+    CHECK(none.errors().empty());
+    CHECK(account::conclude(none.all).headline == account::Headline::no_solution);
+    CHECK(contains(none.origin("left", "bearing"), "none passes together with one of right"));
   }
 
   TEST_CASE("two bearings of a shaft take Y of each other, and the shaft takes their pressure centres") {

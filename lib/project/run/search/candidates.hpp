@@ -26,6 +26,12 @@ struct Candidates {
   /// The input that was searched for, and what a row would have given, have no value. `tried`: the nearest ones.
   void leave_open(Inputs& inputs, Message why, std::vector<account::TriedSize> tried = {}) const;
 };
+/// A row that was found together with that of another step; empty: none passes.
+struct RowTogether {
+  std::string row;
+  std::string with;  // that step
+};
+
 Candidates candidates_of(const Evaluation& evaluation, const Search& wanted);
 
 }  // namespace loadpath::project

@@ -4,6 +4,7 @@
 #include "lib/project/run/search/joint_search.hpp"
 #include "lib/project/run/search/largest_search.hpp"
 #include "lib/project/run/search/nested_search.hpp"
+#include "lib/project/run/search/passing.hpp"
 #include "lib/project/run/search/size_search.hpp"
 
 #include <cmath>
@@ -49,7 +50,7 @@ bool waits_for_input(Evaluation& evaluation) {
 
 }  // namespace
 
-bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues) {
+bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues, const RowTogether* together) {
   const PreparedStep& step = evaluation.step();
   if (step.searches().empty() || waits_for_input(evaluation)) return true;
   const Search& wanted = step.searches().front();
@@ -66,8 +67,22 @@ bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issue
   else if (wanted.leaf && wanted.stock.empty())
     LargestSearch(evaluation, wanted).run(in_words, issues);
   else
-    SizeSearch(evaluation, wanted, in_words).run(issues);
+    SizeSearch(evaluation, wanted, in_words, together).run(issues);
   return !has_errors(issues);
+}
+
+std::vector<std::size_t> first_rows_that_pass(Evaluation& evaluation, std::span<const std::size_t> alike) {
+  std::vector<std::size_t> first(alike.size(), alike.size());
+  if (waits_for_input(evaluation)) return first;
+  const Candidates candidates = candidates_of(evaluation, evaluation.step().searches().front());
+  Passing passing(evaluation);
+  passing.excuse_sizeless();
+  for (std::size_t i = 0; i < alike.size(); ++i) {
+    if (first[alike[i]] < alike.size()) continue;
+    candidates.take(evaluation.inputs(), i);
+    if (passing.passes()) first[alike[i]] = i;
+  }
+  return first;
 }
 
 }  // namespace loadpath::project

@@ -40,10 +40,11 @@ Message first_load(const Evaluation& evaluation) {
 
 }  // namespace
 
-SizeSearch::SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words)
+SizeSearch::SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words, const RowTogether* together)
     : evaluation_(evaluation),
       wanted_(wanted),
       in_words_(in_words),
+      together_(together),
       candidates_(candidates_of(evaluation, wanted)),
       passing_(evaluation) {}
 
@@ -76,6 +77,9 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   if (result == nullptr && !passing_.is_any_asked())
     return issues.push_back(aimless_search(evaluation_.step(), wanted_));
   keep_sizing_results();
+  if (together_ != nullptr && together_->row.empty())
+    return leave_open(say("{1}: none passes together with one of {2}", what_is_searched(), together_->with));
+  if (together_ != nullptr) candidates_.rows = {together_->row};
   if (const BodySize* const body = size_of_body()) candidates_.keep_to_body(*body);
   const auto& sizes = candidates_.sizes;
   const auto start =
@@ -261,14 +265,22 @@ void SizeSearch::note_found() {
     evaluation_.inputs().set_origin(wanted_.path, {.text = say("found"), .sources = {}, .searched = true});
 }
 
+/// "smallest of R40 with which no assessed mode fails"
+Message SizeSearch::how_found(bool covered) const {
+  const Message source = wanted_.where.empty() ? say("{1}", candidates_.source())
+                                               : say("{1} with {2}", candidates_.source(), wanted_.where);
+  if (together_ != nullptr)
+    return say("of {1}, the smallest pair with {2} with which no assessed mode of either fails", source,
+               together_->with);
+  return covered ? say("smallest of {1} with which no assessed mode fails", source)
+                 : say("smallest of {1} with which no assessed mode that depends on it fails", source);
+}
+
 /// Reports the result, and the reason why the previous candidate is too small.
 void SizeSearch::tell_found(std::size_t found) {
   Passing whole(evaluation_);  // includes the excused ones
   const bool covered = passing_.count_of_excused() == 0 || whole.passes();
-  const Message source = wanted_.where.empty() ? say("{1}", candidates_.source())
-                                               : say("{1} with {2}", candidates_.source(), wanted_.where);
-  Message text = covered ? say("smallest of {1} with which no assessed mode fails", source)
-                         : say("smallest of {1} with which no assessed mode that depends on it fails", source);
+  Message text = how_found(covered);
   if (const BodySize* const body = size_of_body())
     text = say("{1}; the body '{2}' has this size: {3}", text, evaluation_.step().input().body.text, body->by);
   std::optional<account::TriedSize> next;

@@ -13,7 +13,7 @@ namespace loadpath::project {
 class SizeSearch {
  public:
   /// `in_words`: the result explains why it is not smaller.
-  SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words);
+  SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words, const RowTogether* together);
   void run(std::vector<Issue>& issues);
 
  private:
@@ -38,10 +38,12 @@ class SizeSearch {
   void note_found();
   [[nodiscard]] const BodySize* size_of_body() const;
   [[nodiscard]] Message what_is_searched() const;
+  [[nodiscard]] Message how_found(bool covered) const;
 
   Evaluation& evaluation_;
   const Search& wanted_;
   bool in_words_;
+  const RowTogether* together_;  // null: the row is searched for here
   Candidates candidates_;
   Passing passing_;
 };

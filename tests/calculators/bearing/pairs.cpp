@@ -181,7 +181,7 @@ TEST_SUITE("rolling bearing") {
     const Solved none(searched_pair(search, search, 5.0, 5000.0, 0.0));
     CHECK(none.errors().empty());
     CHECK(account::conclude(none.all).headline == account::Headline::no_solution);
-    CHECK(contains(none.origin("left", "bearing"), "none passes together with one of right"));
+    CHECK(contains(none.origin("left", "bearing"), "none passes, nearest is"));
   }
 
   TEST_CASE("two bearings of a shaft take Y of each other, and the shaft takes their pressure centres") {

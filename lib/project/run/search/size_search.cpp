@@ -77,9 +77,8 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   if (result == nullptr && !passing_.is_any_asked())
     return issues.push_back(aimless_search(evaluation_.step(), wanted_));
   keep_sizing_results();
-  if (together_ != nullptr && together_->row.empty())
-    return leave_open(say("{1}: none passes together with one of {2}", what_is_searched(), together_->with));
-  if (together_ != nullptr) candidates_.rows = {together_->row};
+  const bool has_no_pair = together_ != nullptr && together_->row.empty();
+  if (together_ != nullptr && !has_no_pair) candidates_.rows = {together_->row};
   if (const BodySize* const body = size_of_body()) candidates_.keep_to_body(*body);
   const auto& sizes = candidates_.sizes;
   const auto start =
@@ -87,6 +86,9 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   const auto from = static_cast<std::size_t>(start - sizes.begin());
   passing_.excuse_sizeless();
   std::size_t found = first_that_passes(from);
+  if (has_no_pair && found == candidates_.count()) return tell_none(from, issues);
+  if (has_no_pair)
+    return leave_open(say("{1}: none passes together with one of {2}", what_is_searched(), together_->with));
   const FailedValues unmoved = found == candidates_.count() ? unmoved_by_size(from) : FailedValues{};
   for (const auto& [row, value] : unmoved) passing_.excuse(row);  // they decide the verdict, whatever the result
   if (!unmoved.empty()) found = first_that_passes(0);

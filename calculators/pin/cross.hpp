@@ -133,8 +133,8 @@ tau_adm_1 = "40 MPa"
       Rule<Input>{[](const Input& in) { return !(in.D > 1.000001 * in.d_f) || in.d_w >= in.d_f; }, "D, d_f",
                   "the outer diameter of the hub must not exceed the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d_w); }, "bore, d_w",
-                  "the bore of the mounted component must equal the shaft diameter; for another component write "
-                  "\"=gears.T_2\", not \"=gears.gear_2.T\""},
+                  "the bore of the mounted component must equal the shaft diameter; for another component give its "
+                  "bore, with because.bore = \"...\""},
       Rule<Input>{[](const Input& in) { return in.d < in.d_w; }, "d, d_w",
                   "the pin diameter must be smaller than the shaft diameter"},
       Rule<Input>{[](const Input& in) { return in.d_w < in.D; }, "D, d_w",

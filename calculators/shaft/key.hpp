@@ -222,8 +222,8 @@ R_e_k = "420 MPa"
                       },
                       "d_f, d, t_2", "the hub keyway must not cut the root circle of the mounted component"},
           Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
-                      "the bore of the mounted component must equal the shaft diameter; for another component write "
-                      "\"=gears.T_2\", not \"=gears.gear_2.T\""},
+                      "the bore of the mounted component must equal the shaft diameter; for another component give its "
+                      "bore, with because.bore = \"...\""},
           Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
           Rule<Input>{[](const Input& in) { return !sizes_given(in) || in.t_1 < in.h; }, "t_1, h",
                       "keyway depth t_1 must be less than key height h"},

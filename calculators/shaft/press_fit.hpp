@@ -245,9 +245,10 @@ dT_adm = "250 K"
                   "the shaft diameter must not exceed the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return !(in.D > 1.000001 * in.d_f) || in.d >= in.d_f; }, "D, d_f",
                   "the outer diameter of the hub must not exceed the root diameter of the mounted component"},
-      Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
-                  "the bore of the mounted component must equal the diameter of the fit; for another component write "
-                  "\"=gears.T_2\", not \"=gears.gear_2.T\""},
+      Rule<Input>{
+          [](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
+          "the bore of the mounted component must equal the diameter of the fit; for another component give its "
+          "bore, with because.bore = \"...\""},
       Rule<Input>{[](const Input& in) { return in.d_i < in.d && in.d < in.D; }, "d_i, d, D",
                   "the diameter of the fit must be between the bore of the shaft and the outer diameter of the hub"},
       Rule<Input>{[](const Input& in) { return in.U_min <= in.U_max; }, "U_min, U_max", "U_min must not exceed U_max"},

@@ -146,8 +146,8 @@ S = 2
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
                   "the shaft diameter must not exceed the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
-                  "the bore of the mounted component must equal the shaft diameter; for another component write "
-                  "\"=gears.T_2\", not \"=gears.gear_2.T\""},
+                  "the bore of the mounted component must equal the shaft diameter; for another component give its "
+                  "bore, with because.bore = \"...\""},
       Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d); }, "d_bore, d",
                   "the bore must be smaller than the shaft core"},
       Rule<Input>{[](const Input& in) { return (in.i > 1) == is_set(in.phi); }, "i, phi",

@@ -206,8 +206,8 @@ R_e_2 = "300 MPa"
                         return !is_set(in.bore) || bore_fits(in.bore, in.d_1) || bore_fits(in.bore, in.d_2);
                       },
                       "bore, d_1, d_2",
-                      "the bore of the mounted component must equal d_1 or d_2; for another component write "
-                      "\"=gears.T_2\", not \"=gears.gear_2.T\""},
+                      "the bore of the mounted component must equal d_1 or d_2; for another component give its "
+                      "bore, with because.bore = \"...\""},
           Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
                       "the number of teeth of a spline must be an integer"},
           Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be larger than d_1"},

@@ -226,6 +226,15 @@ TEST_SUITE("found connections") {
     }
   }
 
+  TEST_CASE("another component than the gear whose torque is taken has a bore of its own, with a reason") {
+    for (const std::string T : {"=gears.gear_1.T", "=gears.T_1"}) {
+      const auto text = gears_of(40, "60 mm", "bore_1 = \"50 mm\"") + keyed_gear("T = \"" + T + "\"", "40 mm");
+      CHECK(first_error_of(text).find("for another component give its bore, with because.bore") != std::string::npos);
+      CHECK(first_error_of(text + "bore = \"40 mm\"\n").starts_with("bore = 40 mm contradicts 'gears.gear_1.bore'"));
+      CHECK(first_error_of(text + "bore = \"40 mm\"\nbecause.bore = \"coupling\"\n") == "");
+    }
+  }
+
   TEST_CASE("the wall between a hub and the root circle of a gear, sprocket or pulley") {
     const std::string load = "load = \"=gears.gear_1\"";
     const auto wall = [&](int z, const std::string& d, const char* mode) {

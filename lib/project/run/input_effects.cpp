@@ -1,6 +1,7 @@
 #include "lib/project/run/input_effects.hpp"
 
 #include "lib/calculator/meaning.hpp"
+#include "lib/project/because.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -323,7 +324,7 @@ void warn_of_unused(Evaluation& evaluation, const Results& results, const Govern
   for (const auto& [path, leaf] : without_effect(evaluation, typed_inputs(evaluation), governing)) {
     const auto counts = [&evaluation, &input = leaf](Probe& probe) { return has_effect(evaluation, input, probe); };
     if (std::any_of(places.begin(), places.end(), counts) || !is_spare(evaluation, path, leaf)) continue;
-    if (decides_meaning(evaluation, path)) continue;
+    if (decides_meaning(evaluation, path) || reason_for(step, path) != nullptr) continue;
     if (has_effect_with_absent_loads(evaluation, leaf, governing.position)) continue;
     Issue issue = issue_at(step, path, say("'{1}' has no effect here: no result changes with it", path));
     issue.severity = Severity::warning;

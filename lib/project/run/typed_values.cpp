@@ -216,23 +216,52 @@ void weigh_results(const Evaluation& evaluation, const Results& results, const K
   }
 }
 
+/// The reason for a size of a body that differs from that of the record of a load: another component takes the load.
+const Typed* reason_for_body(const Evaluation& evaluation, const Neighbour& beside) {
+  return beside.leaf.field->is_of_body ? reason_for(evaluation.step().input(), beside.path) : nullptr;
+}
+
+/// How to resolve a typed value that differs from that of a row or a record for the same part.
+Message way_out(const Neighbour& beside) {
+  const FieldInfo& field = *beside.leaf.field;
+  if (!beside.row_of.empty())
+    return say("leave out {1}; another part is a row of your own: [tables.{2}s.NAME]", field.key, beside.row_of);
+  return field.is_of_body
+             ? say("give {1} once, or the same value in both; for another component: because.{2} = \"...\"", field.key,
+                   beside.path)
+             : say("give {1} once, or the same value in both", field.key);
+}
+
+/// Sizes of another component than that of the record of the load, with their reasons.
+void weigh_bodies(const Evaluation& evaluation, const Known& known, std::set<const Typed*>& used,
+                  WeighedValues& weighed) {
+  if (evaluation.step().input().because.empty()) return;
+  for (const Neighbour& beside : all_beside(evaluation, {}, known)) {
+    const Typed* const reason = is_of_one_part(beside.kind) ? reason_for_body(evaluation, beside) : nullptr;
+    const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
+    if (reason == nullptr || std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside)))
+      continue;
+    used.insert(reason);
+    const FieldInfo& field = *beside.leaf.field;
+    weighed.reasons.emplace(beside.path, say("{1} = {2}, and {3} has {4}: {5}", beside.path, shown(field, typed),
+                                             beside.source, shown(field, other), reason->text));
+  }
+}
+
 }  // namespace
 
 bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   const StepInput& step = evaluation.step().input();
   for (const Neighbour& beside : all_beside(evaluation, {}, known)) {
-    if (!is_of_one_part(beside.kind)) continue;
+    if (!is_of_one_part(beside.kind) || reason_for_body(evaluation, beside) != nullptr) continue;
     const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
     if (std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside))) continue;
     const FieldInfo& field = *beside.leaf.field;
-    issues.push_back(issue_at(
-        step, beside.path,
-        say("{1} = {2} contradicts {3}, which has {4}", beside.path, shown(field, typed), beside.source,
-            shown(field, other)),
-        beside.row_of.empty()
-            ? say("give {1} once, or the same value in both", field.key)
-            : say("leave out {1}; another part is a row of your own: [tables.{2}s.NAME]", field.key, beside.row_of)));
+    issues.push_back(issue_at(step, beside.path,
+                              say("{1} = {2} contradicts {3}, which has {4}", beside.path, shown(field, typed),
+                                  beside.source, shown(field, other)),
+                              way_out(beside)));
   }
   return issues.size() == before;
 }
@@ -268,6 +297,7 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
     if (((only_changes && goes_on) || stays) && reason == nullptr) weighed.handed_on.push_back(bolder);
   }
   if (!all.empty() && has_results) evaluate_all(evaluation);  // restored
+  weigh_bodies(evaluation, known, used, weighed);
   weigh_results(evaluation, results, known, weighed);
   if (wanted.unused && has_results && step.reading.varied.empty()) refuse_idle_reasons(evaluation.step(), used, issues);
   return weighed;

@@ -1,5 +1,6 @@
 // Regression tests of vessels: faults found in use.
 #include "tests/found/modes.hpp"
+#include "tests/lib/project/solved.hpp"
 
 #include <cmath>
 #include <iomanip>
@@ -139,5 +140,17 @@ TEST_SUITE("found vessel") {
     };
     CHECK(error("open").find("'shell' has ends = \"open\"") != std::string::npos);
     CHECK(error("closed") == "");
+  }
+
+  TEST_CASE("a diameter, and other letters for the wall, name the input that is meant") {
+    const auto said = [](const char* line) {
+      return Solved("[v]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nsigma_adm = \"140 MPa\"\n" +
+                    std::string(line) + "\n")
+          .errors();
+    };
+    CHECK(contains(said("D = \"1200 mm\""), "v.D: 'D' is not a valid key here = write the radius: R = \"=1200 mm/2\""));
+    CHECK(contains(said("d = \"1.2\""), "write the radius: R = \"... mm\""));
+    for (const char* const wall : {"t = \"8 mm\"", "s = \"8 mm\"", "e = \"8 mm\""})
+      CHECK(contains(said(wall), "did you mean 'delta' (nominal wall thickness)?"));
   }
 }

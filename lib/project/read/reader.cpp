@@ -31,6 +31,7 @@ static Message fields_near(const Tree::Entry& entry, const std::vector<Part>& pa
   Message otherwise;
   for (const Part& part : parts) {
     if (Message torque = torque_of_power(entry, part.fields); !torque.empty()) return torque;
+    if (Message size = size_meant(entry, part.fields); !size.empty()) return size;
     if (Message element = element_called(key, part.fields, part.owner); !element.empty()) return element;
     if (otherwise.empty()) otherwise = input_within(key, part.fields);
     for (const FieldInfo& field : part.fields) known.push_back({field.key, field.doc});

@@ -2,6 +2,8 @@
 
 #include "lib/quantity/literal.hpp"
 
+#include <initializer_list>
+
 namespace loadpath::project {
 
 namespace {
@@ -14,6 +16,18 @@ std::string written_within(const FieldInfo& outer, const FieldInfo& inner) {
   const std::string value = in_unit ? "\"... " + std::string(inner.unit) + "\"" : "...";
   const std::string table = "{ " + std::string(inner.key) + " = " + value + " }";
   return std::string(outer.key) + " = " + (outer.type == Type::list ? "[" + table + "]" : table);
+}
+
+/// The first of these inputs that is a length of this meaning; null if there is none.
+const FieldInfo* length_of(std::span<const FieldInfo> fields, std::initializer_list<const char*> keys,
+                           std::string_view meaning) {
+  for (const char* const key : keys) {
+    const FieldInfo* const field = find_field(fields, key);
+    const bool is_length =
+        field != nullptr && field->type == Type::quantity && field->dimension == Dimension::of(1, 0, 0);
+    if (is_length && std::string_view(field->doc).find(meaning) != std::string_view::npos) return field;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -64,6 +78,20 @@ Message torque_of_power(const toml::Tree::Entry& entry, std::span<const FieldInf
   const auto typed = parse_literal(entry.value.text);
   if (entry.key != "P" || T == nullptr || T->dimension != torque || !typed || typed->dimension != power) return {};
   return say("write the torque of the power at its speed: T = \"={1}/(1450 rpm)\"", entry.value.text);
+}
+
+Message size_meant(const toml::Tree::Entry& entry, std::span<const FieldInfo> fields) {
+  const std::string& key = entry.key;
+  const auto typed = parse_literal(entry.value.text);
+  if (key == "D" || key == "d" || key == "D_i" || key == "D_a" || key == "d_i" || key == "d_a") {
+    const FieldInfo* const radius = length_of(fields, {"R", "r"}, "radius");
+    if (radius != nullptr && typed && typed->dimension == radius->dimension)
+      return say("write the radius: {1} = \"={2}/2\"", radius->key, entry.value.text);
+    return radius == nullptr ? Message{} : say("write the radius: {1} = \"... {2}\"", radius->key, radius->unit);
+  }
+  const FieldInfo* const thickness =
+      key == "t" || key == "s" || key == "e" ? length_of(fields, {"delta"}, "thickness") : nullptr;
+  return thickness == nullptr ? Message{} : say("did you mean '{1}' ({2})?", thickness->key, thickness->doc);
 }
 
 }  // namespace loadpath::project

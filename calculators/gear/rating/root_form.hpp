@@ -21,7 +21,9 @@ inline double fillet_angle(double G, double H, double z_n) {
   for (int i = 0; i < 60; ++i) {
     const double f = theta - 2.0 * G / z_n * std::tan(theta) + H;
     const double slope = 1.0 - 2.0 * G / z_n / (std::cos(theta) * std::cos(theta));
-    theta -= f / slope;
+    const double next = theta - f / slope;
+    if (next == theta) break;  // further steps would repeat it
+    theta = next;
   }
   return theta;
 }

@@ -1,126 +1,45 @@
 #include "calculators/gear/sizing/search.hpp"
 
-#include "calculators/gear/sizing/teeth.hpp"
+#include "calculators/gear/sizing/load_bound.hpp"
+#include "calculators/gear/sizing/nearest.hpp"
+#include "calculators/gear/sizing/rated.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <string_view>
-#include <tuple>
 #include <vector>
 
 namespace loadpath::gear::sizing {
 
 namespace {
 
-using TeethInput = RatingTypes::Input;
-
-/// The mode of each check and limit of gear.rating.
-struct Judge {
-  std::string_view key;
-  Failure failure;
-};
-constexpr std::array judges{
-    Judge{"u_H1", Failure::pitting_1},     Judge{"u_H2", Failure::pitting_2},  Judge{"u_F1", Failure::root_1},
-    Judge{"u_F2", Failure::root_2},        Judge{"x_v", Failure::dynamic},     Judge{"x_c", Failure::stiffness},
-    Judge{"x_eps", Failure::contact},      Judge{"x_free", Failure::undercut}, Judge{"s_a", Failure::pointed},
-    Judge{"f_int", Failure::interference}, Judge{"c_n", Failure::clearance},   Judge{"j_bn", Failure::clearance}};
-
-Failure failure_of(std::string_view key) {
-  return std::find_if(judges.begin(), judges.end(), [&](const Judge& j) { return j.key == key; })->failure;
-}
-
-/// Contribution of one result of gear.rating. A limit outweighs every check; the first one names the mode.
-template <class F>
-void take(const F& field, const RatingTypes::Result& r, Lack& lack) {
-  if constexpr (requires { field.asked_by; }) {
-    const double value = in_si(r.*field.at) / in_si(field.unit.one);
-    if (field.role == Role::check) {
-      const bool fails = !(value <= 1.0) && !(value <= lack.check) && lack.limits == 0;
-      if (fails) lack.failure = failure_of(field.key);
-      if (std::isnan(value)) ++lack.limits;
-      lack.check = std::max(lack.check, value);
-    }
-    if (field.role == Role::limit && !field.bounds.holds(value) && !(field.where_set && std::isnan(value))) {
-      if (lack.limits++ == 0) lack.failure = failure_of(field.key);
-    }
-  }
-}
-
-Lack lack_of(const RatingTypes::Result& r) {
-  Lack lack;
-  loadpath::apply([&](const auto&... field) { (take(field, r, lack), ...); }, Rating::results_of_pair);
-  return lack;
-}
-
-/// Whether only the load rejects the pair, so that a wider one may pass.
-bool is_of_load(Failure failure) { return failure <= Failure::root_2; }
-
-/// One width of a pair of teeth, with what it is ranked by.
-struct Point {
-  std::size_t teeth = 0;
-  double b = 0.0, first = 0.0, second = 0.0;
-
-  bool operator<(const Point& other) const {
-    return std::tie(first, second, teeth, b) < std::tie(other.first, other.second, other.teeth, other.b);
-  }
-};
-
-Mass mass_of(const Input& in, const PairResult& g, double b) {
-  return pi / 4.0 * in.rho * (g.d_1 * g.d_1 + g.d_2 * g.d_2) * (b * mm);
-}
-
-/// In m, to a nanometre: pairs of one centre distance must not differ by rounding errors.
-double rounded(Length a) { return std::round(in_si(a) * 1e9) / 1e9; }
-
 /// The points of the range in the order of the ranking.
-std::vector<Point> points_of(const Input& in, const std::vector<TeethInput>& all) {
+std::vector<Point> points_of(const Input& in, const Range& range) {
   std::vector<Point> points;
-  NoTrace quiet;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    PairResult g;
-    lay_out(rating::pair_of(all[i]), g, quiet);
-    for (const double b : widths_of(in, all[i].m_n / mm, g.d_1 / mm)) {
-      const double mass = in_si(mass_of(in, g, b)), a = rounded(g.a_w);
-      points.push_back(in.by == By::mass ? Point{i, b, mass, a} : Point{i, b, a, mass});
-    }
+  for (std::size_t i = 0; i < range.options.size(); ++i) {
+    const PairResult g = laid_out(range.teeth(i));
+    for (const double b : widths_of(in, range.options[i].m, g.d_1 / mm)) points.push_back(point_of(in, i, g, b));
   }
   std::sort(points.begin(), points.end());
   return points;
 }
 
-bool is_admissible(const TeethInput& teeth) {
-  return std::all_of(Rating::rules_of_teeth.begin(), Rating::rules_of_teeth.end(),
-                     [&](const auto& rule) { return rule.holds(teeth); });
+RatingTypes::Input teeth_at(const Range& range, const Point& point) {
+  RatingTypes::Input teeth = range.teeth(point.option);
+  teeth.b = point.b * mm;
+  return teeth;
 }
 
-Candidate row_of(const Input& in, const TeethInput& teeth, const RatingTypes::Result& r, const Lack& lack) {
-  NoTrace quiet;
-  PairResult g;
-  lay_out(rating::pair_of(teeth), g, quiet);
-  Candidate c;
-  c.m_n = teeth.m_n, c.z_1 = teeth.z_1, c.z_2 = teeth.z_2, c.beta = teeth.beta, c.b = teeth.b;
-  c.x_1 = teeth.x_1, c.x_2 = g.x_2, c.a_w = g.a_w;
-  c.mass = mass_of(in, g, teeth.b / mm);
-  c.S_H = std::min(r.S_H1, r.S_H2), c.S_F = std::min(r.S_F1, r.S_F2);
-  c.u = lack.check, c.failure = lack.failure;
-  return c;
+Found tried(const Input& in, const Range& range, const Point& point) {
+  const RatingTypes::Input teeth = teeth_at(range, point);
+  return is_admissible(teeth) ? rated(in, teeth) : unrated(in, teeth);
 }
-
-constexpr std::size_t most_rows = capacity_of<PairSizingTypes::Candidates>;
 
 /// What the walk over the points keeps.
 struct Walk {
   Found best;  // the first that passes, else the one that lacks least
+  std::size_t place = 0;
   std::vector<bool> settled;
   std::vector<Found> nearest;  // to passing, until a pair passes
 };
-
-void keep_rejected(const Candidate& c, Result& r) {
-  if (r.found > 0.0) return;
-  if (r.rejected.size() == most_rows) r.rejected.pop_back();
-  r.rejected.insert(r.rejected.begin(), c);
-}
 
 void keep_nearest(const Found& one, std::vector<Found>& nearest) {
   const auto place =
@@ -129,29 +48,23 @@ void keep_nearest(const Found& one, std::vector<Found>& nearest) {
   if (nearest.size() > most_rows) nearest.pop_back();
 }
 
-/// A pair that breaks a rule of gear.rating is not rated; a wider one does not fit either.
-void reject_unrated(const Input& in, const TeethInput& teeth, std::size_t index, Walk& walk, Result& r) {
-  Lack lack;
-  lack.check = unset<double>, lack.failure = Failure::fit;
-  keep_rejected(row_of(in, teeth, {}, lack), r);
-  walk.settled[index] = true;
+void keep_rejected(const Found& one, Walk& walk, Result& r) {
+  if (r.found > 0.0) return;
+  if (r.rejected.size() == most_rows) r.rejected.pop_back();
+  r.rejected.insert(r.rejected.begin(), one.row);
+  if (one.lack.failure != Failure::fit) keep_nearest(one, walk.nearest);
 }
 
-/// Rates one point; a pair of teeth is settled once it passes, or where no width helps.
-void rate(const Input& in, const TeethInput& teeth, std::size_t index, Walk& walk, Result& r) {
-  NoTrace quiet;
-  const RatingTypes::Result rated = Rating::evaluate(teeth, quiet);
-  const Lack lack = lack_of(rated);
-  const Candidate row = row_of(in, teeth, rated, lack);
-  if (lack.none()) {
-    if (r.found == 0.0) walk.best = {teeth, row, lack};
+/// Keeps one point; its option is settled once it passes, or where no width helps.
+void keep(const Found& one, const Point& point, std::size_t place, Walk& walk, Result& r) {
+  if (one.lack.none()) {
+    if (r.found == 0.0) walk.best = one, walk.place = place;
     r.found += 1.0;
-    r.candidates.push_back(row);
+    r.candidates.push_back(one.row);
   } else {
-    keep_rejected(row, r);
-    if (r.found == 0.0) keep_nearest({teeth, row, lack}, walk.nearest);
+    keep_rejected(one, walk, r);
   }
-  walk.settled[index] = !is_of_load(lack.failure) || lack.none();
+  walk.settled[point.option] = !is_of_load(one.lack.failure) || one.lack.none();
 }
 
 /// Where none passes, the pairs nearest to passing are shown instead of those that rank last.
@@ -162,6 +75,41 @@ void show_nearest(Walk& walk, Result& r) {
   for (const Found& one : walk.nearest) r.rejected.push_back(one.row);
 }
 
+/// Whether a walk that leaves out nothing comes to this point: no narrower one has settled its option. What settles it
+/// without passing, a limit or a rule, holds of every wider one, so that the width before decides.
+bool is_reached(const Input& in, const Range& range, const Point& point) {
+  const std::vector<double> all =
+      widths_of(in, range.options[point.option].m, laid_out(range.teeth(point.option)).d_1 / mm);
+  const auto here = std::find(all.begin(), all.end(), point.b);
+  if (here == all.begin()) return true;
+  Point before = point;
+  before.b = *(here - 1);
+  return is_of_load(tried(in, range, before).lack.failure);
+}
+
+/// The rejected pairs ahead of the best one, which a walk by the bounds has left out.
+void show_rejected(const Input& in, const Range& range, const std::vector<Point>& points, std::size_t best, Result& r) {
+  r.rejected.clear();
+  for (std::size_t i = best; i-- > 0 && r.rejected.size() < most_rows;) {
+    if (is_reached(in, range, points[i])) r.rejected.push_back(tried(in, range, points[i]).row);
+  }
+}
+
+/// All points in the order of the ranking, without those that the bounds reject.
+Found walk_through(const Input& in, const Range& range, const Bounds& bounds, Result& r) {
+  Walk walk{{}, 0, std::vector<bool>(range.options.size(), false), {}};
+  const std::vector<Point> points = points_of(in, range);
+  for (std::size_t i = 0; i < points.size() && r.candidates.size() < most_rows; ++i) {
+    const Point& point = points[i];
+    const Option& option = range.options[point.option];
+    if (walk.settled[point.option] || bounds.reject(option) || bounds.at(option, point.b) > 1.0) continue;
+    keep(tried(in, range, point), point, i, walk, r);
+  }
+  show_nearest(walk, r);
+  if (!bounds.empty() && r.found > 0.0) show_rejected(in, range, points, walk.place, r);
+  return walk.best;
+}
+
 }  // namespace
 
 double measure_of(const Candidate& c, By by) { return by == By::mass ? in_si(c.mass) : in_si(c.a_w); }
@@ -170,18 +118,15 @@ Found search_for(const Input& in, Result& r) {
   Input loaded = in;
   NoTrace quiet;
   loaded.T_1 = torque_of(in, quiet);
-  const std::vector<TeethInput> all = teeth_of(loaded);
-  Walk walk{{}, std::vector<bool>(all.size(), false), {}};
-  r.tried = static_cast<double>(all.size());
-  for (const Point& point : points_of(in, all)) {
-    if (walk.settled[point.teeth]) continue;
-    TeethInput teeth = all[point.teeth];
-    teeth.b = point.b * mm;
-    is_admissible(teeth) ? rate(in, teeth, point.teeth, walk, r) : reject_unrated(in, teeth, point.teeth, walk, r);
-    if (r.candidates.size() == most_rows) break;
-  }
-  show_nearest(walk, r);
-  return walk.best;
+  const Range range = range_of(loaded);
+  r.tried = static_cast<double>(range.options.size());
+  if (!has_one_shape(in)) return walk_through(in, range, {}, r);
+  const Bounds bounds(range);
+  const Nearest nearest = nearest_of(in, range, bounds);
+  if (nearest.one_passes) return walk_through(in, range, bounds, r);
+  if (nearest.found.empty()) return walk_through(in, range, {}, r);
+  for (const Found& one : nearest.found) r.rejected.push_back(one.row);
+  return nearest.found.front();
 }
 
 }  // namespace loadpath::gear::sizing

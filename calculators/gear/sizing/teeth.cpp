@@ -5,6 +5,13 @@
 
 namespace loadpath::gear::sizing {
 
+PairResult laid_out(const RatingTypes::Input& teeth) {
+  NoTrace quiet;
+  PairResult g;
+  lay_out(rating::pair_of(teeth), g, quiet);
+  return g;
+}
+
 namespace {
 
 using Input = PairSizingTypes::Input;
@@ -12,13 +19,6 @@ using TeethInput = RatingTypes::Input;
 
 constexpr double steps_of_x = 100.0;   // profile shifts are given to two decimals
 constexpr double most_teeth = 2000.0;  // of gear.rating and gear.pair
-
-PairResult laid_out(const TeethInput& teeth) {
-  NoTrace quiet;
-  PairResult g;
-  lay_out(rating::pair_of(teeth), g, quiet);
-  return g;
-}
 
 /// Excess of the sliding at the root of gear 1 over that at the root of gear 2: falls with x_1.
 double imbalance(const TeethInput& teeth) {
@@ -44,11 +44,16 @@ double balanced_shift(const TeethInput& teeth, double x_sum) {
   int high = static_cast<int>(std::floor(std::min(most_x, x_sum - least_x) * steps_of_x + 1e-6));
   if (low > high) return unset<double>;
   const auto at = [&](int hundredths) { return imbalance(with_shift(teeth, hundredths / steps_of_x, x_sum)); };
+  double at_low = unset<double>, at_high = unset<double>;
   while (high - low > 1) {
     const int middle = low + (high - low) / 2;
-    (at(middle) > 0.0 ? low : high) = middle;
+    const double excess = at(middle);
+    (excess > 0.0 ? low : high) = middle;
+    (excess > 0.0 ? at_low : at_high) = excess;
   }
-  return (std::abs(at(low)) <= std::abs(at(high)) ? low : high) / steps_of_x;
+  if (!is_set(at_low)) at_low = at(low);
+  if (!is_set(at_high)) at_high = at(high);
+  return (std::abs(at_low) <= std::abs(at_high) ? low : high) / steps_of_x;
 }
 
 /// Sum of the profile shifts: as given, or that of the centre distance.
@@ -57,46 +62,60 @@ double sum_of_shifts(const Input& in, const TeethInput& teeth) {
   return laid_out(teeth).x_0;
 }
 
-/// One module of one pair of tooth numbers, if profile shifts in use give a tooth form.
-void add_module(const Input& in, TeethInput teeth, double m, double x_1, std::vector<TeethInput>& all) {
-  teeth.m_n = m * mm;
+/// Whether profile shifts in use give a tooth form.
+bool is_in_use(double x_sum) { return x_sum >= 2.0 * least_x && x_sum <= 2.0 * most_x; }
+
+/// The option of a module with these shifts. Its teeth need not mesh: `Rating::is_laid_out`.
+TeethInput shifted(const Input& in, const TeethInput& teeth, double x_1) {
   const double x_sum = sum_of_shifts(in, teeth);
-  if (!(x_sum >= 2.0 * least_x && x_sum <= 2.0 * most_x)) return;
-  if (is_set(in.a_set)) x_1 = balanced_shift(teeth, x_sum);
-  if (!is_set(x_1)) return;
-  teeth = with_shift(teeth, x_1, x_sum);
-  if (Rating::is_laid_out(teeth)) all.push_back(teeth);
+  if (!is_in_use(x_sum)) return with_shift(teeth, unset<double>, x_sum);
+  const bool balances = in.shift == PairSizingTypes::Shift::balanced && !is_set(x_1);
+  return with_shift(teeth, balances ? balanced_shift(teeth, x_sum) : x_1, x_sum);
+}
+
+bool is_option(const TeethInput& teeth) { return is_set(teeth.x_1) && Rating::is_laid_out(teeth); }
+
+TeethInput of_module(TeethInput teeth, double m) {
+  teeth.m_n = m * mm;
+  return teeth;
 }
 
 /// All modules of one pair of tooth numbers. Without a centre distance the shifts are those of any module.
-void add_numbers(const Input& in, const TeethInput& teeth, std::vector<TeethInput>& all) {
-  TeethInput unit = teeth;
-  unit.m_n = 1.0 * mm;
-  double x_1 = unset<double>;
-  if (in.shift == PairSizingTypes::Shift::none) {
-    x_1 = 0.0;
-  } else if (!is_set(in.a_set)) {
-    x_1 = balanced_shift(unit, sum_of_shifts(in, unit));
-  }
+void add_numbers(const Input& in, const TeethInput& teeth, Range& range) {
+  const double x_1 = in.shift == PairSizingTypes::Shift::none ? 0.0 : unset<double>;
+  const std::size_t before = range.options.size();
+  const bool is_scaled = !is_set(in.a_set);
+  const TeethInput any = is_scaled ? shifted(in, of_module(teeth, 1.0), x_1) : teeth;
+  if (is_scaled && !is_option(any)) return;
   for (const double m : module_series) {
-    if (!(m * mm < in.m_min) && !(m * mm > in.m_max)) add_module(in, teeth, m, x_1, all);
+    if (m * mm < in.m_min || m * mm > in.m_max) continue;
+    const TeethInput one = is_scaled ? any : shifted(in, of_module(teeth, m), x_1);
+    if (is_scaled || is_option(one)) range.options.push_back({range.numbers.size(), m, one.x_1, one.x_2});
   }
+  if (range.options.size() > before) range.numbers.push_back(teeth);
 }
 
 /// The whole numbers next to i z_1, as far as the ratio tolerates them.
-void add_mates(const Input& in, TeethInput teeth, std::vector<TeethInput>& all) {
+void add_mates(const Input& in, TeethInput teeth, Range& range) {
   const double z_1 = teeth.z_1, exact = in.i_set * z_1;
   for (double z_2 = std::floor(exact + 1e-9); z_2 <= std::ceil(exact - 1e-9); z_2 += 1.0) {
     if (std::abs(z_2 / exact - 1.0) > in.tol_i || z_2 < z_1 || z_2 > most_teeth) continue;
     teeth.z_2 = Whole(z_2);
-    add_numbers(in, teeth, all);
+    add_numbers(in, teeth, range);
   }
 }
 
 }  // namespace
 
-std::vector<TeethInput> teeth_of(const Input& in) {
-  std::vector<TeethInput> all;
+TeethInput Range::teeth(std::size_t option) const {
+  const Option& of = options[option];
+  TeethInput teeth = numbers[of.numbers];
+  teeth.m_n = of.m * mm, teeth.x_1 = of.x_1, teeth.x_2 = of.x_2;
+  return teeth;
+}
+
+Range range_of(const Input& in) {
+  Range range;
   TeethInput teeth = in;
   teeth.a_w = in.a_set, teeth.b = unset<Length>;
   PairSizingTypes::Helices helices = in.betas;
@@ -107,10 +126,10 @@ std::vector<TeethInput> teeth_of(const Input& in) {
     teeth.beta = helix->beta;
     for (int z_1 = static_cast<int>(in.z_min); z_1 <= static_cast<int>(in.z_max); ++z_1) {
       teeth.z_1 = z_1;
-      add_mates(in, teeth, all);
+      add_mates(in, teeth, range);
     }
   }
-  return all;
+  return range;
 }
 
 std::vector<double> widths_of(const Input& in, double m_n, double d_1) {

@@ -5,6 +5,7 @@
 #include "calculators/gear/sizing/types.hpp"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace loadpath::gear::sizing {
@@ -20,8 +21,24 @@ inline constexpr double least_psi_m = 6.0, most_psi_m = 30.0;
 /// Profile shift coefficients in common use, as in the fields of gear.pair.
 inline constexpr double least_x = -0.8, most_x = 1.2;
 
-/// Every pair of teeth of the range: its input of gear.rating, without a face width.
-std::vector<RatingTypes::Input> teeth_of(const PairSizingTypes::Input& in);
+/// A module of one pair of tooth numbers, with its profile shifts.
+struct Option {
+  std::size_t numbers = 0;  // position in `Range::numbers`
+  double m = unset<double>, x_1 = unset<double>, x_2 = unset<double>;
+};
+
+/// Every pair of teeth of the range. Numbers of teeth and helix angle are kept once for all their modules.
+struct Range {
+  std::vector<RatingTypes::Input> numbers;
+  std::vector<Option> options;  // those of one pair of numbers are adjacent, by ascending module
+
+  /// Input of gear.rating without a face width.
+  [[nodiscard]] RatingTypes::Input teeth(std::size_t option) const;
+};
+Range range_of(const PairSizingTypes::Input& in);
+
+/// Circles and profile shifts of a pair.
+PairResult laid_out(const RatingTypes::Input& teeth);
 
 /// Face widths of a pair, in mm, ascending.
 std::vector<double> widths_of(const PairSizingTypes::Input& in, double m_n, double d_1);

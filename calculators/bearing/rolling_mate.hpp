@@ -38,6 +38,7 @@ struct Mate {
   Force F_r0 = unset<Force>, F_a0 = unset<Force>;
   double Y = unset<double>;
   Length x = unset<Length>;
+  AngularSpeed n = unset<AngularSpeed>;
   static constexpr Fields fields{
       RecordField<Mate>{"load", "loads of the mating bearing: load = \"=shaft.bearings.right\""},
       Field{&Mate::F_r, "F_r", kN, "its radial load"}.load().at_least(0),
@@ -45,7 +46,8 @@ struct Mate {
       Field{&Mate::Y, "Y", ratio, "its axial load factor above e: Y = \"=right_bearing.Y\""}.positive().usually(0.2, 7),
       Field{&Mate::F_r0, "F_r0", kN, "its peak radial load"}.load().at_least(0).may_be_missing(),
       Field{&Mate::F_a0, "F_a0", kN, "simultaneous axial force"}.load().may_be_missing(),
-      Field{&Mate::x, "x", mm, "its position on the shaft"}.may_be_missing()};
+      Field{&Mate::x, "x", mm, "its position on the shaft"}.may_be_missing(),
+      Field{&Mate::n, "n", rpm, "its speed, that of the shaft of both bearings"}.may_be_missing()};
 };
 
 /// Inputs of a bearing that is one of a pair.
@@ -112,6 +114,13 @@ constexpr bool direction_agrees(const Input& in) {
   return in.carries == Carries::unsaid || found == Carries::unsaid || found == in.carries;
 }
 
+/// Bearings of one pair sit on one shaft; those of different speeds do not.
+template <class Input>
+bool is_on_one_shaft(const Input& in) {
+  if (!is_set(in.mate.n) || !is_set(in.n)) return true;
+  return abs(abs(in.mate.n) - abs(in.n)) <= 1e-6 * abs(in.n);
+}
+
 template <class Input>
 constexpr auto pair_rules() {
   return std::array{
@@ -122,7 +131,10 @@ constexpr auto pair_rules() {
       Rule<Input>{
           &direction_agrees<Input>, "carries, arrangement, x",
           "the left bearing carries axial forces to the right back to back, to the left face to face: omit carries, "
-          "or correct arrangement"}};
+          "or correct arrangement"},
+      Rule<Input>{
+          &is_on_one_shaft<Input>, "mate, n",
+          "both bearings of a pair must run at the speed of their shaft: take mate.load from the shaft of load"}};
 }
 
 /// Axial loads of the bearing in its direction, in service and at the peak.

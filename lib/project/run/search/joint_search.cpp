@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -256,21 +257,29 @@ void JointSearch::run(std::vector<Issue>& issues) {
   settle();
 }
 
-/// No sizes satisfy the input rules: the rule that is broken at all of them, if it is one.
+/// No sizes satisfy the input rules: the rule that is broken at all of them, if there is one. Where the arrangement
+/// takes no sizes at all, the rules are those of the sizes alone.
 Issue JointSearch::no_sizes() {
+  const Message none = say("no combination of sizes satisfies the input rules");
   const std::string& first = sizes_.search(0).path;
-  std::optional<std::size_t> broken;
-  bool is_one = true;
+  std::optional<std::set<std::size_t>> always;
+  bool is_arranged = false;
   for (const double level : sizes_.levels()) {
-    if (!sizes_.set(sizes_.first_from(level))) continue;
+    const SizeIndices sizes = sizes_.first_from(level);
+    const bool are_set = sizes_.set(sizes);
+    if (!are_set) sizes_.set_alone(sizes);
+    is_arranged = is_arranged || are_set;
     settle();
-    const auto rule = passing_.first_broken_rule();
-    is_one = is_one && rule && (!broken || broken == rule);
-    if (rule) broken = rule;
+    const std::set<std::size_t> broken = passing_.broken_rules();
+    if (!always) always = broken;
+    std::erase_if(*always, [&](std::size_t rule) { return !broken.contains(rule); });
   }
-  if (broken && is_one) return evaluation_.broken_rule(*broken);
-  return issue_at(evaluation_.step().input(), first, say("no combination of sizes satisfies the input rules"),
-                  say("give '{1}' a value, or search for more sizes", first));
+  if (always && !always->empty()) {
+    Issue issue = evaluation_.broken_rule(*always->begin());
+    if (!is_arranged) issue.message = say("{1}: {2}", none, issue.message);
+    return issue;
+  }
+  return issue_at(evaluation_.step().input(), first, none, say("give '{1}' a value, or search for more sizes", first));
 }
 
 /// The check that fails if one of them is a size smaller, with the others unchanged; nothing if no smaller one is

@@ -113,6 +113,11 @@ bool JointSizes::set(const SizeIndices& least) {
   return true;
 }
 
+void JointSizes::set_alone(const SizeIndices& least) {
+  for (std::size_t i = 0; i < count(); ++i)
+    inputs_.leaf(search(i).path).set(sizes_[i][std::min(least[i], sizes_[i].size() - 1)]);
+}
+
 bool JointSizes::shrink(const SizeIndices& laid, std::size_t which) {
   for (std::size_t i = 0; i < count(); ++i) sought_[i].at = laid[i];
   for (std::size_t less = laid[which]; less-- > 0;) {

@@ -45,6 +45,8 @@ class JointSizes {
   bool arrange(std::size_t way);
   /// Sets sizes that go together, none of which is below its least; false if there are none.
   bool set(const SizeIndices& least);
+  /// Sets these, even if they do not fit one another.
+  void set_alone(const SizeIndices& least);
   /// Makes one of them, with those that are of one size with it, a size smaller than `laid`, in no record yet; false
   /// if there is none.
   bool shrink(const SizeIndices& laid, std::size_t which);

@@ -9,18 +9,34 @@
 
 namespace loadpath::project {
 
-std::optional<std::size_t> Passing::first_broken_rule() {
-  const Calculator& calculator = evaluation_.calculator();
-  const std::size_t count = calculator.rules.size();
+const std::vector<bool>& Passing::concerned() {
+  const std::size_t count = evaluation_.calculator().rules.size();
   for (std::size_t rule = concerned_.size(); rule < count; ++rule)  // once, not for every candidate
     concerned_.push_back(must_hold_in_search(evaluation_.step(), rule));
+  return concerned_;
+}
+
+std::optional<std::size_t> Passing::first_broken_rule() {
+  const std::vector<bool>& concerned = this->concerned();
   for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
     if (!evaluation_.set_position(i)) continue;
-    for (std::size_t rule = 0; rule < count; ++rule) {
-      if (concerned_[rule] && !evaluation_.holds(rule)) return rule;
+    for (std::size_t rule = 0; rule < concerned.size(); ++rule) {
+      if (concerned[rule] && !evaluation_.holds(rule)) return rule;
     }
   }
   return std::nullopt;
+}
+
+std::set<std::size_t> Passing::broken_rules() {
+  const std::vector<bool>& concerned = this->concerned();
+  std::set<std::size_t> broken;
+  for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
+    if (!evaluation_.set_position(i)) continue;
+    for (std::size_t rule = 0; rule < concerned.size(); ++rule) {
+      if (concerned[rule] && !evaluation_.holds(rule)) broken.insert(rule);
+    }
+  }
+  return broken;
 }
 
 bool Passing::is_any_asked() const {

@@ -37,6 +37,8 @@ class Passing {
   bool keeps_rules() { return evaluation_.is_settled() && !first_broken_rule(); }
   /// The first of them that is broken at a position.
   std::optional<std::size_t> first_broken_rule();
+  /// All of them.
+  std::set<std::size_t> broken_rules();
   /// Whether a check is active: otherwise any candidate would pass.
   [[nodiscard]] bool is_any_asked() const;
 
@@ -51,6 +53,9 @@ class Passing {
   std::optional<double> first_outside(const FieldInfo& limit);
 
  private:
+  /// For every rule whether a search must satisfy it.
+  const std::vector<bool>& concerned();
+
   [[nodiscard]] bool holds_here() const;
   [[nodiscard]] bool is_held_against(const FieldInfo& field, bool criteria) const;
   [[nodiscard]] bool keeps(const FieldInfo& field, const void* owner, bool criteria) const;
@@ -59,7 +64,7 @@ class Passing {
   Evaluation& evaluation_;
   std::set<Row> excused_;
   std::size_t failed_at_ = 0;    // the last position at which a candidate failed
-  std::vector<bool> concerned_;  // for every rule whether a search must satisfy it, once determined
+  std::vector<bool> concerned_;  // once determined
 };
 
 }  // namespace loadpath::project

@@ -48,8 +48,10 @@ class Pages {
   Page deciding();
   Page checking();
   Band inputs_and_diagrams();
+  Band inputs_in_columns();
+  void add_diagrams(Page& page);
   bool takes(const Panel& panel);
-  Page recomputing();
+  void add_recomputing(std::vector<Page>& pages);
   void add_derivations(double height, Page& page) const;
   [[nodiscard]] Panel sizes(std::size_t most_lines) const;
   [[nodiscard]] Panel modes() const;
@@ -69,6 +71,7 @@ class Pages {
   ShownFigures shown_;
   std::optional<Panel> assumptions_;  // where page 1 has no room for them
   double rest_ = 0.0;                 // height left on the page, mm
+  bool are_diagrams_shown_ = false;   // on page 1
 };
 
 /// Whether one page holds all: a step of which few formulas govern.
@@ -198,13 +201,53 @@ Page Pages::deciding() {
   const double needed = is_figure_compact() ? 0.0 : std::min(most_sizes, sizes_heading + size_line * lines);
   Band undecided = fields(room - std::max(height_of(modes(), wide), needed));
   add_main(room - height_of(undecided), page);
+  rest_ = room - height_of(undecided) - std::max(height_of(modes(), wide), needed);
   page.bands.push_back(std::move(undecided));
+  if (!is_short()) add_diagrams(page);
   return page;
+}
+
+/// Two diagrams side by side at the foot of page 1, where few modes and fields would leave it half empty.
+void Pages::add_diagrams(Page& page) {
+  // Compact figures are lower than the most that they may take; a single diagram is wider, thus higher.
+  constexpr double of_two = 60.0, of_one = 65.0, lower = 30.0;  // mm
+  const double room = rest_ + (is_figure_compact() ? lower : 0.0);
+  if (further_.empty() || has_diagrams(*further_.front().figure) || room < (further_.size() > 1 ? of_two : of_one))
+    return;
+  const std::size_t count = std::min<std::size_t>(2, further_.size());
+  Band band;
+  for (std::size_t i = 0; i < count; ++i) {
+    Panel panel{i == 0 ? say("Diagrams") : Message(), {}, {}};
+    add_figure(further_[i], true, panel);
+    band.push_back({i == 0 ? half : other_half, {std::move(panel)}});
+  }
+  further_.erase(further_.begin(), further_.begin() + static_cast<std::ptrdiff_t>(count));
+  page.bands.push_back(std::move(band));
+  are_diagrams_shown_ = true;
+}
+
+/// The inputs in two columns, where page 1 has all diagrams.
+Band Pages::inputs_in_columns() {
+  constexpr double of_column = 115.0;  // mm
+  Panel left{say("Input data"), {}, {inputs_table(project_, rows_, 2.0 * of_column)}};
+  Panel right{say("Input data, continued"), {}, {std::get<Table>(left.blocks.front())}};
+  auto& first = std::get<Table>(left.blocks.front()).rows;
+  auto& second = std::get<Table>(right.blocks.front()).rows;
+  second.clear();
+  while (!first.empty() && height_of(left, half) > height_of(right, other_half)) {
+    second.insert(second.begin(), first.back());
+    first.pop_back();
+  }
+  Band band{{half, {std::move(left)}}};
+  if (!second.empty()) band.push_back({other_half, {std::move(right)}});
+  rest_ = page_height - height_of(band);
+  return band;
 }
 
 /// Inputs at the left, at the right the diagrams.
 Band Pages::inputs_and_diagrams() {
   constexpr double beside_tall = 150.0, beside_others = 128.0, alone = 90.0;  // mm
+  if (are_diagrams_shown_ && further_.empty()) return inputs_in_columns();
   const bool has_tall = !further_.empty() && has_diagrams(*further_.front().figure);
   const std::size_t beside = has_tall ? 1 : 2;
   const double height = has_tall ? beside_tall : further_.size() > 1 ? beside_others : alone;
@@ -257,6 +300,16 @@ Page Pages::checking() {
   return page;
 }
 
+/// Of a band of one derivation or of the references.
+double height_of_lines(const Band& band) {
+  constexpr double heading = 9.0;  // mm
+  double height = 0.0;
+  for (const Block& block : band.front().panels.front().blocks) {
+    if (const auto* const lines = std::get_if<Derivation>(&block)) height += height_of(*lines);
+  }
+  return height > 0.0 ? heading + height : height_of(band.front().panels.front(), half + other_half);
+}
+
 /// The citations that fit into a height.
 Table fitting(Table sources, double height) {
   constexpr double letters_in_line = 105.0, of_line = 3.3, gap = 0.9;  // mm
@@ -281,13 +334,24 @@ void Pages::add_derivations(double height, Page& page) const {
         across({say("References"), say("named on this page; all sources: appendix"), {std::move(sources)}}));
 }
 
-/// After the shafts for which page 2 had no room.
-Page Pages::recomputing() {
-  Page page;
+/// After the shafts for which page 2 had no room. Derivations begin on page 2 if it is half empty, or if all fit there.
+void Pages::add_recomputing(std::vector<Page>& pages) {
+  constexpr double half_empty = 0.38 * page_height, reserve = 12.0;  // mm
+  const double left = shafts_.empty() ? rest_ : 0.0;
   rest_ = page_height;
+  Page page, derived;
   add_shafts(page);
-  add_derivations(rest_, page);
-  return page;
+  add_derivations(rest_, derived);
+  double all = 0.0;
+  for (const Band& band : derived.bands) all += height_of_lines(band);
+  const double free = left >= half_empty ? left : all + reserve <= left ? all : 0.0;
+  double used = 0.0;
+  for (Band& band : derived.bands) {
+    used += height_of_lines(band);
+    const bool fits = page.bands.empty() && used <= free;
+    (fits ? pages.back() : page).bands.push_back(std::move(band));
+  }
+  if (!page.bands.empty()) pages.push_back(std::move(page));
 }
 
 /// The contents of the appendix, at the end of the last page.
@@ -305,7 +369,7 @@ Brief Pages::all() {
     add_derivations(rest_of_page, pages.front());
   } else {
     pages.push_back(checking());
-    if (Page page = recomputing(); !page.bands.empty()) pages.push_back(std::move(page));
+    add_recomputing(pages);
   }
   pages.back().bands.push_back(appendix_note());
   return {std::move(pages), std::move(shown_)};

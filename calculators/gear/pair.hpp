@@ -35,6 +35,8 @@ struct Pair {
       "first estimate; pitting and tooth breakage are rated in gear.rating.";
   static constexpr auto source = "[ISO21771], [Lewis]";
   static constexpr auto headline = "z {z_1}/{z_2}, m {m_n}";
+  static constexpr auto details =
+      "b = {b}, beta = {beta!}, x_1 = {x_1}, x_2 = {x_2}|b = {b}, x_1 = {x_1}, x_2 = {x_2}|x_1 = {x_1}, x_2 = {x_2}";
   static constexpr auto synonyms =
       "gear, spur gear, helical gear, internal gear, rack and pinion, pinion, profile shift, addendum modification, "
       "contact ratio, base tangent length, Lewis, tooth force, ISO 21771, Stirnrad, Stirnradpaar, Zahnrad, "

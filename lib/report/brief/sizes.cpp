@@ -29,12 +29,16 @@ std::string material_of(const Project& project, const std::string& component) {
 }
 
 /// The sizes given for a component, besides those that its row has.
-std::vector<std::string> other_sizes(const Project& project, const Component& component) {
+std::vector<std::string> other_sizes(const Project& project, const Component& component, bool with_declared) {
   std::vector<std::string> all;
   for (const auto& step : project.steps) {
-    if (component_name(*step) != component.name || !is_sized(*step)) continue;
-    for (std::string& size : given_sizes(*step)) {
-      const auto known = [&](const auto& sizes) { return std::ranges::find(sizes, size) != sizes.end(); };
+    if (component_name(*step) != component.name) continue;
+    std::vector<std::string> sizes = is_sized(*step) ? given_sizes(*step) : std::vector<std::string>();
+    if (with_declared) {
+      for (std::string& size : declared_sizes(*step)) sizes.push_back(std::move(size));
+    }
+    for (std::string& size : sizes) {
+      const auto known = [&](const auto& others) { return std::ranges::find(others, size) != others.end(); };
       if (!known(all) && !known(component.sizes)) all.push_back(std::move(size));
     }
   }
@@ -64,15 +68,21 @@ bool is_drawn(const Project& project, const Component& component) {
   });
 }
 
+/// What is given with a size: all, what a search might have found, that less where a figure has it, or nothing.
+enum class Given { all, searchable, not_drawn, none };
+
 /// What was found is marked size by size; what was given follows.
-Cell size_cell(const Project& project, const Component& component, bool with_given) {
-  if (!component.is_sized) return joined(component.sizes, ", ");
-  const std::string given = with_given ? joined(other_sizes(project, component), ", ") : std::string();
+Cell size_cell(const Project& project, const Component& component, Given shown) {
+  std::vector<std::string> others;
+  if (shown != Given::none) others = other_sizes(project, component, shown == Given::all);
+  if (!component.is_sized) {
+    std::vector<std::string> all = component.sizes;
+    all.insert(all.end(), others.begin(), others.end());
+    return joined(all, ", ");
+  }
+  const std::string given = joined(others, ", ");
   return Sized{joined(component.sizes, "*, "), given};
 }
-
-/// What is given with a size that was found: all, less where a figure has it, or nothing.
-enum class Given { all, not_drawn, none };
 
 /// A row for each component.
 std::vector<std::vector<Cell>> rows_of(const Project& project, const Summary& summary, Given given) {
@@ -82,8 +92,8 @@ std::vector<std::vector<Cell>> rows_of(const Project& project, const Summary& su
   std::vector<std::vector<Cell>> rows;
   for (const Component& component : components) {
     if (component.sizes.empty() || !has_size(project, component)) continue;
-    const bool with_given = given == Given::all || (given == Given::not_drawn && !is_drawn(project, component));
-    Cell size = size_cell(project, component, with_given);
+    const bool is_left_out = given == Given::not_drawn && is_drawn(project, component);
+    Cell size = size_cell(project, component, is_left_out ? Given::none : given);
     rows.push_back({component.name, std::move(size), material_of(project, component.name)});
   }
   return rows;
@@ -124,7 +134,7 @@ std::size_t fewest_lines(const Project& project, const Summary& summary) {
 
 Table sizes_table(const Project& project, const Summary& summary, std::size_t most) {
   Table table{{}, {say("Component"), say("Size"), say("Material")}, {}};
-  for (const Given given : {Given::all, Given::not_drawn, Given::none}) {
+  for (const Given given : {Given::all, Given::searchable, Given::not_drawn, Given::none}) {
     table.rows = rows_of(project, summary, given);
     if (lines_of(table) <= most) break;
   }

@@ -47,7 +47,7 @@ std::string value_of(const Step& step, std::string_view key) {
   }
   if (best != nullptr && nonzero && most == 0.0) return {};
   if (best != nullptr && bare) return format_number(in_unit(most, best->unit), 5);
-  if (best != nullptr && best->role == Role::input) return format_quantity(most, best->unit, 5);
+  if (best != nullptr && best->role == Role::input && best->unit != "deg") return format_quantity(most, best->unit, 5);
   if (best != nullptr) return short_quantity(most, best->unit);
   return step.word(std::string(key));
 }
@@ -78,20 +78,51 @@ std::string phrase_of(const Step& step, std::string_view rest) {
   return {};
 }
 
-bool has_value(const Entry& entry) { return !entry.word.empty() || !std::isnan(largest_of(entry)); }
-
-std::string sized_text(const Entry& entry) {
-  if (!entry.word.empty()) return entry.word;
-  const std::string value = format_quantity(largest_of(entry), entry.unit, 5), owner = owner_of(entry.path);
-  return owner.empty() ? entry.path + " = " + value : owner + " " + value;
-}
-
 /// Behind one another: a size may be broken behind a comma only.
 std::string unbroken(std::string text) {
   for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
     if (at == 0 || text[at - 1] != ',') text.replace(at, 1, "\u00A0");
   }
   return text;
+}
+
+/// Whether the placeholders of a text are inputs that no search has found.
+bool names_given(const Step& step, std::string_view text) {
+  const auto& inputs = step.account().inputs;
+  bool any = false;
+  for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
+    const std::string key(text.substr(open + 1, text.find_first_of("#!}", open) - open - 1));
+    const auto input = std::ranges::find(inputs, key, &Entry::path);
+    if (input != inputs.end() && input->origin.searched) return false;
+    if (find_field_at(step.input().calculator->input->fields, key) == nullptr) return false;
+    any = true;
+  }
+  return any;
+}
+
+/// The terms, between commas, of the first phrase whose values are known, as far as they are given.
+void add_given_terms(const Step& step, std::string_view phrases, std::vector<std::string>& sizes) {
+  std::string_view phrase = phrases.substr(0, phrases.find('|'));
+  while (filled(step, phrase).empty() && phrase.size() < phrases.size()) {
+    phrases.remove_prefix(phrase.size() + 1);
+    phrase = phrases.substr(0, phrases.find('|'));
+  }
+  constexpr std::string_view comma = ", ";
+  while (!phrase.empty()) {
+    const std::size_t end = std::min(phrase.find(comma), phrase.size());
+    const std::string_view term = phrase.substr(0, end);
+    std::string text = names_given(step, term) ? filled(step, term) : std::string();
+    if (!text.empty()) sizes.push_back(unbroken(std::move(text)));
+    phrase.remove_prefix(std::min(end + comma.size(), phrase.size()));
+  }
+}
+
+bool has_value(const Entry& entry) { return !entry.word.empty() || !std::isnan(largest_of(entry)); }
+
+std::string sized_text(const Entry& entry) {
+  if (!entry.word.empty()) return entry.word;
+  const std::string value = format_quantity(largest_of(entry), entry.unit, 5), owner = owner_of(entry.path);
+  return owner.empty() ? entry.path + " = " + value : owner + " " + value;
 }
 
 }  // namespace
@@ -113,6 +144,13 @@ std::vector<std::string> given_sizes(const Step& step) {
         field != nullptr && *field->searched_in != '\0' && !entry.origin.searched && entry.origin.sources.empty();
     if (is_size && has_value(entry)) sizes.push_back(unbroken(sized_text(entry)));
   }
+  return sizes;
+}
+
+std::vector<std::string> declared_sizes(const Step& step) {
+  std::vector<std::string> sizes;
+  if (is_sized(step)) add_given_terms(step, step.input().calculator->headline, sizes);
+  add_given_terms(step, step.input().calculator->details, sizes);
   return sizes;
 }
 

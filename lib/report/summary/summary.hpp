@@ -97,6 +97,8 @@ std::string plain_title(const account::Mode& mode);
 std::string owner_of(const std::string& path);
 /// The sizes that a step was given where a search might have found them: "pulley seat 32 mm".
 std::vector<std::string> given_sizes(const project::Step& step);
+/// The given sizes that the headline, unless it is shown, and the details of its calculator name: "b = 28 mm".
+std::vector<std::string> declared_sizes(const project::Step& step);
 /// The name of a step's component: its body, else the step.
 std::string component_name(const project::Step& step);
 /// Whether the utilisation of a mode counts: of its own step, and no ratio of shapes unless it fails.

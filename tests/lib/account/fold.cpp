@@ -54,6 +54,20 @@ TEST_SUITE("fold") {
     CHECK(state_of_limit(open_below, true, 2.1) == State::fail);
   }
 
+  TEST_CASE("of several values of a limit that farthest beyond a bound is reported, else that nearest to one") {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto farthest = [](const Range& bounds, std::vector<double> si) { return farthest_from(bounds, si); };
+    const Range between{1.0, 3.0, false, false}, from_zero{0.0, 10.0, false, false}, above{0.0, infinity, true, false};
+    CHECK(farthest(between, {0.5, 2.0, 3.2}) == 0.5);  // 0.5 below, 0.2 above
+    CHECK(farthest(between, {0.9, 2.0, 3.2}) == 3.2);
+    CHECK(farthest(between, {2.0, 1.3, 2.9}) == 2.9);  // 0.1 from a bound
+    CHECK(farthest(between, {2.0, 1.1, 2.8}) == 1.1);
+    CHECK(farthest(from_zero, {0.0, 4.0, 1.0}) == 4.0);  // no quantity without a sign is near its zero
+    CHECK(farthest(from_zero, {9.0, -0.1}) == -0.1);
+    CHECK(farthest(above, {5.0, 2.0, 7.0}) == 2.0);
+    CHECK(std::isnan(farthest(between, {4.0, none, 2.0})));
+  }
+
   TEST_CASE("the worst row decides, of the worst ones the most utilised") {
     Folded rows;
     CHECK(rows.worst == absent_state);
@@ -186,6 +200,15 @@ TEST_SUITE("fold") {
     }
   }
 
+  TEST_CASE("modes pass with those that are accepted or not considered, and with none worse") {
+    CHECK(passes({}));
+    CHECK(passes({mode_of(State::open)}));
+    CHECK(passes({mode_of(State::pass), mode_of(State::accepted), mode_of(State::open)}));
+    for (const State state : {State::not_judged, State::not_covered, State::not_available, State::fail})
+      CHECK_FALSE(passes({mode_of(State::pass), mode_of(state)}));
+    CHECK_FALSE(passes(strictly({mode_of(State::pass), mode_of(State::open)})));
+  }
+
   TEST_CASE("groups and headline follow from the states") {
     CHECK(group_of(mode_of(State::fail)) == account::Group::fails);
     CHECK(group_of(mode_of(State::not_judged)) == account::Group::needs_input);
@@ -225,6 +248,11 @@ TEST_SUITE("fold") {
           "1 of 2 failure modes needs input or a step, 1 outside the scope");
     CHECK(explanation({mode_of(State::not_judged, false)}).text() ==
           "1 of 1 failure modes is outside the scope of loadpath");
+    // Those not considered are no part of the total; those accepted are assessed.
+    CHECK(explanation({mode_of(State::not_judged), mode_of(State::pass), mode_of(State::open)}).text() ==
+          "1 of 2 failure modes needs input or another step");
+    CHECK(explanation({mode_of(State::pass), mode_of(State::pass), mode_of(State::accepted)}).text() ==
+          "3 failure modes assessed");
     CHECK(explanation({}).text() == "no failure mode is assessed here");
     account::Mode open = mode_of(State::open);
     open.title = say("fatigue, at shoulders first");

@@ -18,6 +18,20 @@ std::string shell_and(const std::string& end) {
          end;
 }
 
+/// Two shells and a hemisphere, all with one pressure: what the strength of the hemisphere waits for.
+std::string doubt_of_hemisphere(const std::string& R) {
+  const std::string wall =
+      "p = \"1 MPa\"\nmeasured = \"inner\"\nc = \"1 mm\"\ndelta = \"12 mm\"\nsigma_adm = \"140 MPa\"\n";
+  const project::Project vessels =
+      solved_as_found("[narrow]\ncalculator = \"vessel.cylinder\"\nR = \"600 mm\"\n" + wall +
+                      "\n[wide]\ncalculator = \"vessel.cylinder\"\nR = \"900 mm\"\n" + wall +
+                      "\n[head]\ncalculator = \"vessel.sphere\"\nR = \"" + R + "\"\n" + wall);
+  for (const account::Mode& mode : project::modes(vessels)) {
+    if (mode.step == "head" && mode.id == "strength") return mode.note.text();
+  }
+  return "";
+}
+
 }  // namespace
 
 TEST_SUITE("found vessels") {
@@ -38,6 +52,13 @@ TEST_SUITE("found vessels") {
     };
     CHECK(mode_of(solved_as_found(with("300 MPa")), "shell", "strength") == "not-judged");
     CHECK(mode_of(solved_as_found(with("140 MPa")), "shell", "strength") == "pass");
+  }
+
+  TEST_CASE("an end with the radius of no shell is compared with the shell of the nearest radius") {
+    CHECK(doubt_of_hemisphere("300 mm").find("'narrow'") != std::string::npos);
+    CHECK(doubt_of_hemisphere("1500 mm").find("'wide'") != std::string::npos);
+    CHECK(doubt_of_hemisphere("600 mm").empty());
+    CHECK(doubt_of_hemisphere("900 mm").empty());
   }
 
   TEST_CASE("an end is tested with the pressure of its shell") {

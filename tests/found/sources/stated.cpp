@@ -73,6 +73,10 @@ TEST_SUITE("found names of stated values") {
     for (const char* const values :
          {"life = \"9000 h\"", "grease_life = \"40000 h\"", "R = 0.5", "years = 1\nhours_per_day = \"16 h\""})
       CHECK_FALSE(is_held(values, bearing, "b", "fatigue"));
+    // 250 days a year: that of the bearing, and 125 h more.
+    for (const char* const values : {"life = \"10000 h\"", "years = 5\nhours_per_day = \"8 h\""})
+      CHECK_FALSE(is_held(values, bearing, "b", "fatigue"));
+    CHECK(is_held("years = 5\nhours_per_day = \"8.1 h\"", bearing, "b", "fatigue"));
   }
 
   TEST_CASE("a speed above the limit of the bearing") {

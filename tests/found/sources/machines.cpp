@@ -108,10 +108,12 @@ TEST_SUITE("found machines") {
         press("press", "8 kN") +
         "[rod]\ncalculator = \"link.member\"\nload = \"=press.links.rod\"\nh = \"40 mm\"\nb = \"20 mm\"\nends = "
         "\"pinned_pinned\"\nmaterial = \"S235\"\nmethod = \"johnson\"\nn_st = 3\nS = 2\n\n";
-    const auto plates = [&](const std::string& joint, const std::string& t_1, const std::string& more = "") {
+    const auto plates = [&](const std::string& joint, const std::string& t_1, const std::string& more = "",
+                            const std::string& t_2 = "15 mm") {
       return machine + "[pin]\ncalculator = \"pin.en1993\"\nload = \"=press.joints." + joint +
              "\"\ngamma_F = 1.5\ngamma_M0 = 1\ngamma_M2 = 1.25\nd = \"30 mm\"\nd_0 = \"31 mm\"\nt_1 = \"" + t_1 +
-             "\"\nt_2 = \"15 mm\"\nc = \"2 mm\"\nf_yp = \"355 MPa\"\nf_up = \"490 MPa\"\nf_y_1 = \"235 "
+             "\"\nt_2 = \"" + t_2 +
+             "\"\nc = \"2 mm\"\nf_yp = \"355 MPa\"\nf_up = \"490 MPa\"\nf_y_1 = \"235 "
              "MPa\"\nf_y_2 = \"235 MPa\"\ne_a1 = \"60 mm\"\ne_c1 = \"50 mm\"\ne_a2 = \"60 mm\"\ne_c2 = \"50 mm\"\n" +
              more;
     };
@@ -121,6 +123,14 @@ TEST_SUITE("found machines") {
     CHECK(state(plates("A", "20 mm"), "pin", "plate_1") == "not-judged");
     CHECK(state(plates("A", "=rod.b", "because.e_a2 = \"60 mm on all sides of the bore\"\n"), "pin", "plate_2") ==
           "pass");
+    // The middle plate is that of the crank: the outer ones are those of the rod, or it is itself known.
+    const std::string reason = "because.e_a1 = \"60 mm on all sides of the bore\"\n";
+    CHECK(state(plates("A", "20 mm", "", "=rod.b"), "pin", "plate_1") == "not-judged");
+    CHECK(state(plates("A", "20 mm", reason, "=rod.b"), "pin", "plate_1") == "pass");
+    const std::string crank = replaced(machine, "[rod]", "[crank]");
+    const std::string of_crank = replaced(crank.substr(crank.find("[crank]")), "links.rod", "links.crank");
+    CHECK(state(plates("A", "=crank.b", of_crank), "pin", "plate_1") == "not-judged");
+    CHECK(state(plates("A", "=crank.b", reason + of_crank), "pin", "plate_1") == "pass");
   }
 
   TEST_CASE("a heavier load case of the same joints that no step takes") {

@@ -74,6 +74,21 @@ TEST_SUITE("found cycle") {
     CHECK(mode_of(solved_as_found(shared + press + pin("values.F")), "pin", "bending") == "not-judged");
   }
 
+  TEST_CASE("R1: the allowable speed of a chain is not the speed of a part over its cycle") {
+    const auto limit = [](const std::string& v_max) {
+      return mode_of(solved_as_found(press +
+                                     "[chain]\ncalculator = \"chain.inverted_tooth\"\np = \"12.7 mm\"\nb = \"50 "
+                                     "mm\"\nz_1 = 25\nz_2 = 75\nn_1 = \"1000 rpm\"\nP = \"15 kW\"\nK_A = 1.4\na = "
+                                     "\"500 mm\"\nP_b = \"5 kW\"\nq = \"2.5 kg/m\"\nF_u = \"54 kN\"\nS_min = 8\n"
+                                     "v_max = \"" +
+                                     v_max + "\"\n"),
+                     "chain", "speed");
+    };
+    CHECK(limit("25 m/s") == "pass");
+    CHECK(limit("=25 m/s + min(press.points.B.v_x)") == "pass");
+    CHECK(limit("=5 m/s + min(press.points.B.v_x)") == "not-covered");
+  }
+
   TEST_CASE("R3: one extreme of a stress is no cycle; both are") {
     const auto cycle = [](const std::string& stresses) {
       return mode_of(solved_as_found(press + "[c]\ncalculator = \"fatigue.cycle\"\n" + stresses +

@@ -155,6 +155,31 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(state("M_ta = \"=amplitude(press.drive.M)/2\"\nM_tm = \"=midrange(press.drive.M)/2\"\n") == "pass");
   }
 
+  TEST_CASE("a history assesses a link if no fibre that it does not count has a larger maximum or range") {
+    const auto rod = [](const std::string& force, const std::string& weight, const std::string& counted) {
+      std::string text =
+          "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"200 mm\"\n"
+          "crank = { speed = \"120 rpm\" }\nlinks.rod.mass = \"20 kg\"\n" +
+          weight + "loads = [{ name = \"work\", link = \"slider\", at = \"B\", F_x = \"" + force +
+          "\", F_y = \"0 N\" }]\n\n[rod]\ncalculator = \"link.member\"\nload = \"=press.links.rod\"\nh = \"40 mm\"\n"
+          "b = \"20 mm\"\nends = \"pinned_pinned\"\nmaterial = \"S235\"\nmethod = \"johnson\"\nn_st = 3\nS = 2\n";
+      for (const char fibre : counted)
+        text += std::string("\n[") + fibre + "]\ncalculator = \"fatigue.history\"\nsigma = \"=rod.sigma_" + fibre +
+                "\"\nsigma_D = \"80 MPa\"\nN_D = 1e6\nk = 5\nR_e = \"235 MPa\"\nS_F = 1.3\nS_D = 1.3\nn_req = 1e7\n";
+      return mode_of(solved_as_found(text), "rod", "fatigue");
+    };
+    const std::string weight = "gravity = \"9.81 m/s^2\"\n";
+    for (const char* const force : {"8 kN", "-8 kN"}) {
+      CHECK(rod(force, "", "") == "not-judged");
+      CHECK(rod(force, "", "o") == "pass");  // the inertia of the rod swings alike: both fibres have the same stresses
+      CHECK(rod(force, "", "u") == "pass");
+      CHECK(rod(force, weight, "ou") == "pass");
+      CHECK(rod(force, weight, "u") == "not-judged");  // the weight adds tension at the other fibre
+    }
+    CHECK(rod("8 kN", weight, "o") == "not-judged");  // whose stresses have the smaller range under a pull
+    CHECK(rod("-8 kN", weight, "o") == "pass");       // and the larger one under a push
+  }
+
   TEST_CASE("an unusual value of a step that judges nothing holds back what is made of it") {
     const auto state = [](const std::string& q) {
       return mode_of(

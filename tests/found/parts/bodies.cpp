@@ -74,6 +74,11 @@ TEST_SUITE("found bodies") {
     CHECK(state_of(arm(pinned, shorter + "because.l = \"between the braces\""), "arm2", "buckling") == "pass");
     const std::string fixed = "ends = \"fixed_fixed\"\nl = \"900 mm\"\nP = \"20 kN\"" + steel;
     CHECK(state_of(arm(pinned, fixed), "arm2", "buckling") == "not-judged");
+    // A third step with the ends of the second confirms neither.
+    const std::string column = arm(pinned, fixed).substr(arm(pinned, "").find("[arm2]"));
+    const std::string third = column.substr(0, 4) + "3" + column.substr(5);
+    CHECK(state_of(arm(pinned, fixed) + third, "arm2", "buckling") == "not-judged");
+    CHECK(state_of(arm(pinned, fixed) + third, "arm3", "buckling") == "not-judged");
     CHECK(state_of(arm(pinned, pinned + "\nP = \"12 kN\"" + steel), "arm2", "buckling") == "not-judged");
     CHECK(state_of(arm(pinned, pinned + "\nN = \"-20 kN\"" + steel), "arm2", "buckling") == "pass");
     CHECK(state_of(arm(pinned, pinned + "\nN = \"15 kN\"\nn_t = 1.5" + steel), "arm2", "tension") == "pass");

@@ -61,6 +61,27 @@ TEST_SUITE("found vessels") {
     CHECK(doubt_of_hemisphere("900 mm").empty());
   }
 
+  TEST_CASE("a wall with the pressure of a shell that holds a liquid holds it too, or is above it") {
+    const std::string wall =
+        "p = \"=values.p\"\nmeasured = \"inner\"\nc = \"1 mm\"\ndelta = \"16 mm\"\nsigma_adm = \"140 MPa\"\n";
+    const auto state = [&](const std::string& liquid, const std::string& end, const char* step = "end") {
+      return mode_of(
+          solved_as_found("[values]\np = \"0.2 MPa\"\n\n[shell]\ncalculator = \"vessel.cylinder\"\nR = \"3 m\"\n" +
+                          wall + liquid + "\n[end]\n" + wall + end),
+          step, "strength");
+    };
+    const std::string water = "rho = \"1000 kg/m^3\"\nh_l = \"10 m\"\n";  // 0.098 MPa more at the bottom
+    const std::string head = "calculator = \"vessel.ellipsoid\"\na = \"3 m\"\nb = \"1.5 m\"\n";
+    CHECK(state("", head) == "pass");
+    CHECK(state(water, head) == "not-judged");
+    CHECK(state(water, head, "shell") == "pass");
+    CHECK(state(water, head + "because.p = \"above the liquid\"\n") == "pass");
+    const std::string second = "calculator = \"vessel.cylinder\"\nR = \"3 m\"\n";
+    CHECK(state(water, second + water) == "pass");
+    CHECK(state(water, second + "rho = \"1000 kg/m^3\"\nh_l = \"4 m\"\n") == "not-judged");
+    CHECK(state(water, second + "rho = \"1000 kg/m^3\"\nh_l = \"4 m\"\n", "shell") == "pass");
+  }
+
   TEST_CASE("an end is tested with the pressure of its shell") {
     const auto state = [](const std::string& p_t) {
       return mode_of(

@@ -49,6 +49,18 @@ TEST_SUITE("found names of stated values") {
          {"L_req = \"20000 h\"", "L_h = \"20000 h\"", "life = \"40000 h\"", "years = 10\nhours_per_day = \"16 h\""})
       CHECK(is_held(values, belt, "belt", "strength"));
     CHECK(!is_held("L_h = \"4000 h\"", belt, "belt", "strength"));
+    for (const char* const values :
+         {"L_req = \"2000 h\"", "L_req = \"4000 h\"", "L_h = \"2000 h\"", "life = \"2000 h\""})
+      CHECK_FALSE(is_held(values, belt, "belt", "strength"));
+  }
+
+  TEST_CASE("load cycles of [values] above those of a part, under their own name") {
+    const std::string part =
+        "[part]\ncalculator = \"fatigue.life\"\nsigma_max = \"300 MPa\"\nsigma_min = \"-300 MPa\"\nsigma_D = \"250 "
+        "MPa\"\n"
+        "R_m = \"690 MPa\"\nR_e = \"490 MPa\"\ngroup = \"carbon-steel\"\nN = 1e4\nS_D = 1.2\nS_F = 1.5\n";
+    CHECK(is_held("N = 1e5", part, "part", "fatigue"));
+    CHECK_FALSE(is_held("N = 1e3", part, "part", "fatigue"));
   }
 
   TEST_CASE("a peak factor next to the peak torque of a key") {

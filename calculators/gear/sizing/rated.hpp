@@ -1,7 +1,7 @@
 // One width of one option of gear.sizing: its place in the ranking, and what gear.rating says of it.
 #pragma once
 
-#include "calculators/gear/sizing/search.hpp"
+#include "calculators/gear/sizing/found.hpp"
 #include "calculators/gear/sizing/teeth.hpp"
 
 #include <cmath>

@@ -4,7 +4,6 @@
 #include "calculators/column/stepped/stepped.hpp"
 #include "tests/calculators/column/elements.hpp"
 #include "tests/calculators/column/models.hpp"
-#include "tests/tries.hpp"
 
 #include <doctest/doctest.h>
 
@@ -167,7 +166,6 @@ Stepped::Input some_column(Chance& chance) {
 TEST_SUITE("column random bars") {
   TEST_CASE("springs, all kinds of ends, supports and modes: the eigenvalues of a hundred bars") {
     Chance chance(11);
-    test::Share share(10);
     int bars = 0, elastic = 0, supported = 0, swaying = 0;
     while (bars < 100) {
       EffectiveLength::Input in;
@@ -183,7 +181,6 @@ TEST_SUITE("column random bars") {
       ++bars;
       elastic += is_set(in.c_1) || is_set(in.c_2) || is_set(in.k_1) || is_set(in.k_2);
       supported += !supports.empty(), swaying += start.across < held || end.across < held;
-      if (share.skips()) continue;
       CAPTURE(bars);
       const auto r = test::evaluated<EffectiveLength>(in);
       CHECK(rel(in_si(r.N_cr), critical_force(l, E * I, start, end, supports, 1)) < 5e-6);
@@ -194,10 +191,8 @@ TEST_SUITE("column random bars") {
 
   TEST_CASE("parts, loads at the steps and self-weight: the eigenvalues of a hundred columns") {
     Chance chance(12);
-    test::Share share(10);
     for (int number = 0; number < 100; ++number) {
       const Stepped::Input in = some_column(chance);
-      if (share.skips()) continue;
       CAPTURE(number);
       const double factor = extrapolated([&](int refined) { return stepped_factor(in, refined); });
       CHECK(rel(test::evaluated<Stepped>(in).alpha_cr, factor) < 5e-6);
@@ -206,7 +201,6 @@ TEST_SUITE("column random bars") {
 
   TEST_CASE("each axis by its own ends and supports: the eigenvalues of a hundred flat bars") {
     Chance chance(13);
-    test::Share share(10);
     for (int number = 0; number < 100; ++number) {
       column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
       const double l = chance.between(0.5, 5.0), b = chance.between(0.02, 0.1), h = chance.between(0.02, 0.1);
@@ -215,7 +209,6 @@ TEST_SUITE("column random bars") {
       const std::vector<double> at_y = some_supports(chance, l, 2), at_z = some_supports(chance, l, 3);
       for (const double x : at_y) in.supports_y.push_back({from_si<Length>(x)});
       for (const double x : at_z) in.supports_z.push_back({from_si<Length>(x)});
-      if (share.skips()) continue;
       CAPTURE(number);
       const auto [start_y, end_y] = springs_of(in.ends_y);
       const auto [start_z, end_z] = springs_of(in.ends_z);

@@ -19,6 +19,7 @@ using account::Account;
 using account::Entry;
 using project::Project;
 using project::Step;
+using Lines = std::vector<account::Derived>;
 
 bool is_list_path(const std::string& path) { return path.find_first_of("[.") != std::string::npos; }
 
@@ -32,11 +33,27 @@ Cell origin_cell(const account::Origin& origin) {
   return text;
 }
 
-Table result_table(const Account& account) {
+/// Whether a line of the calculation ends with this result, by a formula and with words that say what it is.
+bool is_calculated(const Entry& entry, const Lines& lines) {
+  if (!entry.word.empty() || entry.value.is_series() || entry.value.si.empty()) return false;
+  return std::ranges::any_of(lines, [&](const account::Derived& line) {
+    const bool is_explained = !line.step.formula.empty() && !line.step.why.empty();
+    return is_explained && line.scope.empty() && line.step.symbol == entry.path && line.step.value.unit == entry.unit &&
+           line.step.value.si == entry.value.si.front();
+  });
+}
+
+/// The results that the calculation in front of it does not end with: those are printed there.
+Table result_table(const Account& account, const Lines& lines) {
   Table table{say("Results"), {say("symbol"), say("meaning"), say("value")}, {}};
   for (const Entry& e : account.results) {
     const bool lists = is_list_path(e.path), judged = e.role != Role::result;
-    if (!lists && !judged && !is_open(e)) table.rows.push_back({Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
+    if (lists || judged || is_open(e)) continue;
+    if (is_calculated(e, lines)) {
+      table.caption = say("Results not calculated above");
+    } else {
+      table.rows.push_back({Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
+    }
   }
   return table;
 }
@@ -140,8 +157,8 @@ class Appendix {
  private:
   void add_figures(const Account& account);
   void add_inputs(const Step& step);
-  void add_calculation(const Step& step);
-  void add_results(const Step& step);
+  void add_calculation(const Step& step, const Lines& lines);
+  void add_results(const Step& step, const Lines& lines);
 
   Detail detail_;
   const ShownFigures& shown_;
@@ -165,12 +182,11 @@ void Appendix::add_inputs(const Step& step) {
   add_remarks(step.remarks(), blocks_);
 }
 
-void Appendix::add_calculation(const Step& step) {
+void Appendix::add_calculation(const Step& step, const Lines& lines) {
   const Account& account = step.account();
   if (account.derivation.empty()) return;
   blocks_.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
   if (!account.governing.empty()) blocks_.emplace_back(Paragraph{say("Calculated {1}.", account.governing)});
-  const auto lines = detail_ == Detail::full ? account.derivation : deciding_lines(account);
   if (lines.size() < account.derivation.size())
     blocks_.emplace_back(
         Paragraph{say("For lists, the governing element is shown in full; the tables contain the others."),
@@ -178,11 +194,12 @@ void Appendix::add_calculation(const Step& step) {
   append(blocks_, printed_.blocks(step.input().calculator->id, title_of(step), lines));
 }
 
-void Appendix::add_results(const Step& step) {
+void Appendix::add_results(const Step& step, const Lines& lines) {
   const Account& account = step.account();
   blocks_.emplace_back(Heading{3, "Results", step.name() + "-results"});
   if (account.blocks.empty()) {
-    blocks_.emplace_back(result_table(account));
+    Table results = result_table(account, lines);
+    if (!results.rows.empty()) blocks_.emplace_back(std::move(results));
     append(blocks_, list_tables(without_limits(account.results)));
   }
   append(blocks_, account.blocks);
@@ -195,8 +212,10 @@ void Appendix::add(const Step& step) {
   add_head(step, blocks_);
   if (step.account().blocks.empty()) add_figures(step.account());
   add_inputs(step);
-  add_calculation(step);
-  add_results(step);
+  const Account& account = step.account();
+  const Lines lines = detail_ == Detail::full ? account.derivation : deciding_lines(account);
+  add_calculation(step, lines);
+  add_results(step, lines);
 }
 
 /// Factors that raise a load or lower a strength, each where it is applied: once.

@@ -87,7 +87,7 @@ class Printer {
 
   [[nodiscard]] std::vector<std::string> terms(const Node& tree) const {
     const Node& node = chosen(tree);
-    if (!is(node, "+") && !is(node, "-")) return {piece(node).text};
+    if (!is(node, "+") && !is(node, "-")) return {term(node).text};
     std::vector<std::string> list = terms_of_left(node.kids[0]);
     list.push_back(to_.infix(node.text) + right_term(node).text);
     return list;
@@ -140,12 +140,26 @@ class Printer {
             level};
   }
   [[nodiscard]] Piece right_term(const Node& sum) const {
-    return inside(sum.text == "-" ? Level::product : Level::sum, piece(sum.kids[1]));
+    return inside(sum.text == "-" ? Level::product : Level::sum, term(sum.kids[1]));
   }
   [[nodiscard]] std::vector<std::string> terms_of_left(const Node& tree) const {
     const Node& node = chosen(tree);
     if (is(node, "+") || is(node, "-")) return terms(node);
-    return {at_least(Level::sum, piece(node)).text};
+    return {at_least(Level::sum, term(node)).text};
+  }
+  /// A term that is a ratio of two values has a solidus: (12 N) / (3 mm).
+  [[nodiscard]] Piece term(const Node& tree) const {
+    const Node& node = chosen(tree);
+    const auto is_name = [](const Node& kid) { return kid.kind == Kind::number || kid.kind == Kind::symbol; };
+    const auto is_value = [](const Piece& p) {
+      return !p.minus && (p.form == Form::number || p.form == Form::quantity);
+    };
+    if (!substituted_ || !to_.stacked() || !is(node, "/") || !is_name(node.kids[0]) || !is_name(node.kids[1]))
+      return piece(node);
+    const Piece over = piece(node.kids[0]), under = piece(node.kids[1]);
+    if (!is_value(over) || !is_value(under)) return piece(node);
+    return {at_least(Level::atom, over).text + to_.solidus() + at_least(Level::atom, under).text, Level::product,
+            Form::fraction};
   }
 
   [[nodiscard]] Piece product(const Node& tree) const {

@@ -30,6 +30,8 @@ class Notation {
   [[nodiscard]] virtual std::string infix(std::string_view op) const = 0;  // notation of a C++ operator
   [[nodiscard]] virtual std::string thin_space() const = 0;
   [[nodiscard]] virtual std::string fraction(std::string_view over, std::string_view under) const = 0;
+  /// Between a value and the value that divides it, on one line.
+  [[nodiscard]] virtual std::string solidus() const { return number("/"); }
   [[nodiscard]] virtual std::string power(std::string_view base, std::string_view exponent,
                                           Level of_exponent) const = 0;
   [[nodiscard]] virtual std::string root(int degree, std::string_view radicand) const = 0;

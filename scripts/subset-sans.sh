@@ -25,4 +25,6 @@ U+0391-03A1,U+03A3-03A9,U+03B1-03C9,U+2013,U+2026,U+2212,U+221E,U+2248,U+2264,U+
 subset OpenSans-Regular loadpath-sans "$letters"
 subset OpenSans-Regular loadpath-sans-more "$more"
 subset OpenSans-Semibold loadpath-sans-semibold "$slim"
-subset OpenSans-Italic loadpath-sans-italic "$slim"
+# Symbols in figures
+symbols="U+0020,U+0030-0039,U+0041-005A,U+0061-007A,U+0391-03A1,U+03A3-03A9,U+03B1-03C9"
+subset OpenSans-Italic loadpath-sans-italic "$symbols"

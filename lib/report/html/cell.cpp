@@ -95,7 +95,9 @@ std::string marked(State state, const std::string& words) {
 
 std::string state(State state) { return marked(state, account::shown(state).text()); }
 
-std::string state_of(const Mode& mode) { return marked(mode.state, account::shown(mode).text()); }
+std::string state_cell(State state, const std::string& words) {
+  return "<td class=\"state " + std::string(slug(state)) + "\">" + escaped(words) + "</td>";
+}
 
 std::string headline(const Modes& modes) {
   return marked(account::overall(modes), account::word(account::conclude(modes).headline));

@@ -29,9 +29,7 @@ std::string left_of(const Step& step) {
   return left.starts_with("<i>") || left.starts_with("<math>") ? left : "<span>" + left + "</span>";
 }
 
-std::string cell_of(const char* name, const std::string& content) {
-  return content.empty() ? "" : "<p class=\"" + std::string(name) + "\">" + content + "</p>";
-}
+std::string cell_of(const std::string& content) { return content.empty() ? "" : "<p>" + content + "</p>"; }
 
 /// The two sides of an equation, each empty if it says nothing more than its result.
 struct Sides {
@@ -48,34 +46,42 @@ Sides sides_of(const Step& step, const Worked& w, const std::string& result) {
   return sides;
 }
 
-/// None for a line in a single row: most are.
-std::string_view class_of(const Step& step, const Worked& w) {
-  switch (setting_of(step, w)) {
+std::string_view setting_class(Setting setting) {
+  switch (setting) {
     case Setting::row:
       return "";
     case Setting::two_rows:
-      return " class=\"long\"";
+      return "long";
     case Setting::wide:
-      return " class=\"long wide\"";
+      return "long wide";
     case Setting::small:
-      return " class=\"long wide small\"";
+      return "long wide small";
   }
   return "";
 }
 
+/// None for a line of all cells in a single row: most are. A "v" is a value without a formula, a "k" a formula without
+/// numbers to put in.
+std::string classes_of(Setting setting, const Sides& sides) {
+  std::string names(setting_class(setting));
+  const std::string_view missing = sides.formula.empty() ? "v" : sides.numbers.empty() ? "k" : "";
+  if (!missing.empty()) names.append(names.empty() ? "" : " ").append(missing);
+  return names.empty() ? names : " class=\"" + names + "\"";
+}
+
 }  // namespace
 
-// The names of the cells are single letters, for a report has some thousand: formula, numbers, why. The result, which
-// every line has, is without.
+// A report has some thousand lines, so their cells are known by their places: symbol, formula, numbers, result. Only
+// the words behind them have a name.
 std::string derivation(const Derivation& derivation) {
   std::string out = "<ul class=\"derivation\">\n";
   for (const Step& step : derivation.steps) {
     const std::string result = side({formula::quantity_mathml(written(step.value))});
     const Worked w = step.formula.empty() ? Worked{} : worked(step);
     const Sides sides = sides_of(step, w, result);
-    out += "<li" + std::string(class_of(step, w)) + ">" + left_of(step) + cell_of("f", sides.formula) +
-           cell_of("n", sides.numbers) + "<p>" + result + "</p>";
-    if (!step.why.empty()) out += cell_of("w", prose(step.why.text()));
+    out += "<li" + classes_of(setting_of(step, w), sides) + ">" + left_of(step) + cell_of(sides.formula) +
+           cell_of(sides.numbers) + cell_of(result);
+    if (!step.why.empty()) out += "<p class=\"w\">" + prose(step.why.text()) + "</p>";
     out += "</li>\n";
   }
   return out + "</ul>\n";

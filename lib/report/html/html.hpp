@@ -23,8 +23,8 @@ std::string quantity(std::string_view text);
 std::string table(const Table& table, const std::string& caption);
 
 std::string state(State state);
-/// The same of a mode: "outside the scope" where no calculator assesses it.
-std::string state_of(const Mode& mode);
+/// A cell of a table that has only the state, in these words.
+std::string state_cell(State state, const std::string& words);
 /// "INCOMPLETE", marked as the worst of the modes is.
 std::string headline(const Modes& modes);
 

@@ -155,7 +155,9 @@ std::string shorter_row(std::string_view markup) {
 }  // namespace
 
 std::string math(std::string_view fragment) {
+  constexpr std::string_view equals = "<mo>=</mo>";
   auto text = text_of(fragment, false);
+  if (!text && fragment.starts_with(equals)) return "= " + math(fragment.substr(equals.size()));
   if (!text) return "<math>" + shorter_row(fragment) + "</math>";
   if (text->starts_with(' ') && fragment.starts_with("<mo>=")) text->erase(0, 1);
   return "<i>" + *text + "</i>";

@@ -26,8 +26,8 @@ std::string table_of(const Modes& rows, const std::set<std::string>& anchors) {
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const Mode& mode : rows) {
-    out +=
-        "<tr><td>" + subject(mode, anchors) + "</td><td>" + value(mode) + "</td><td>" + state_of(mode) + "</td></tr>\n";
+    out += "<tr><td>" + subject(mode, anchors) + "</td><td>" + value(mode) + "</td>" +
+           state_cell(mode.state, account::shown(mode).text()) + "</tr>\n";
   }
   out += "</tbody></table></div>\n";
   return out;

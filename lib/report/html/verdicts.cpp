@@ -42,7 +42,7 @@ std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anch
   out += "</tr></thead>\n<tbody>\n";
   for (const Verdict& row : verdicts.rows) {
     out += "<tr><td>" + subject(row, anchors) + "</td><td>" + value(row) + "</td><td>" + escaped(row.bound.text()) +
-           "</td><td>" + state(row.state) + "</td></tr>\n";
+           "</td>" + state_cell(row.state, account::shown(row.state).text()) + "</tr>\n";
   }
   return out + "</tbody></table></div>\n";
 }

@@ -41,7 +41,7 @@ project::Wanted wanted_by(const OutputOptions& output, report::Detail detail) {
   const bool written = !output.reports.empty() || output.json;
   return {.pictures = drawn || (shown && in_full),
           .formulas = written || (shown && in_full),
-          .warnings = written || !output.quiet,
+          .warnings = !output.quiet,  // nothing else shows them
           .series = series_for(output, shown, written)};
 }
 

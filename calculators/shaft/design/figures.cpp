@@ -113,14 +113,19 @@ std::vector<figure::Shaft::Place> governing(const Design::Result& r) {
   return places;
 }
 
+Turn turn_of(const Design::Input& in, const Elastic& elastic) {
+  Turn turn(in, elastic.stations.x.size());
+  for (std::size_t i = 0; i < turn.positions(); ++i) turn.take(loaded_at(in, elastic, i));
+  return turn;
+}
+
 /// The stresses of the section that decides, at a point that is fixed to the shaft.
-figure::Figure over_turn(const Design::Input& in, const Elastic& elastic, const Section& p, double theta) {
+figure::Figure over_turn(const Design::Input& in, const Elastic& elastic, const Turn& turn, const Section& p,
+                         double theta) {
   const Value& series = *any_series(in);
   const std::size_t node = elastic.stations.at(p.x);
   figure::Curve sigma{"sigma", series.signature.axis->at, {}}, tau{"tau", series.signature.axis->at, {}};
-  Turn turn(in, elastic.stations.x.size());
   for (std::size_t i = 0; i < turn.positions(); ++i) {
-    turn.take(loaded_at(in, elastic, i));
     sigma.y.push_back(turn.moment(node, i, theta) * in_si(p.sigma_b / p.M));
     if (in_si(p.T) != 0.0) tau.y.push_back(turn.felt(node, i).T * in_si(p.tau / abs(p.T)));
   }
@@ -137,7 +142,8 @@ figure::Figure over_turn(const Design::Input& in, const Elastic& elastic, const 
 std::vector<figure::Figure> Design::figures(const Input& in, const Result& r) {
   const auto elastic = elastic_shaft(in);
   if (!elastic) return {};
-  const std::size_t position = most_bent(in, *elastic);
+  const Turn turn = turn_of(in, *elastic);
+  const std::size_t position = turn.most_bent();
   const Loaded loaded = loaded_at(in, *elastic, position);
   figure::Shaft shaft = side(in, loaded, position);
   shaft.places = governing(r);
@@ -162,7 +168,7 @@ std::vector<figure::Figure> Design::figures(const Input& in, const Result& r) {
   });
   if (varies(in) && weakest != r.safeties.end()) {
     const Section& p = r.sections[static_cast<std::size_t>(weakest - r.safeties.begin())];
-    if (p.M > 0.0 * N_m.one) all.push_back(over_turn(in, *elastic, p, weakest->theta));
+    if (p.M > 0.0 * N_m.one) all.push_back(over_turn(in, *elastic, turn, p, weakest->theta));
   }
   return all;
 }

@@ -76,7 +76,7 @@ Whirled whirled(std::size_t i, const beam::Whirl& whirl, AngularSpeed n, double 
 
 /// One frequency over the speed, each looked for where the last was.
 figure::Curve branch(const beam::Whirl& whirl, std::size_t i, Sense sense, double fastest) {
-  constexpr int parts = 30;
+  constexpr int parts = 16;  // of a curve that bends little
   figure::Curve curve{std::to_string(i + 1) + (sense == Sense::forward ? " forward" : " backward"), {}, {}};
   double near = unset<double>;
   for (int k = 0; k <= parts; ++k) {

@@ -20,8 +20,9 @@ bool is_one_of(View word, const std::array<View, n>& words) {
 /// "td" of "<td class=...", "/td" of "</td>"; empty if the text does not begin with a tag.
 View name_of_tag(View text) {
   if (!text.starts_with('<')) return {};
-  text.remove_prefix(1);
-  return text.substr(0, text.find_first_of("> \n"));
+  std::size_t end = 1;
+  while (end < text.size() && text[end] != '>' && text[end] != ' ' && text[end] != '\n') ++end;
+  return text.substr(1, end - 1);
 }
 
 /// Whether the parser ends the element without this tag, since what follows cannot be in it. Cells, rows and items are

@@ -4,6 +4,9 @@
 #include "lib/report/html/html.hpp"
 #include "lib/text/embedded.hpp"
 
+#include <cstdint>
+#include <cstring>
+
 namespace loadpath::report::page {
 namespace {
 
@@ -47,9 +50,19 @@ bool is_rare(char32_t letter) {
   return first <= letter && letter <= last_latin && frequent.find(letter) == std::u32string_view::npos;
 }
 
+/// Whether the next eight bytes are ASCII.
+bool begins_with_ascii(std::string_view text) {
+  std::uint64_t eight = 0;
+  if (text.size() < sizeof eight) return false;
+  std::memcpy(&eight, text.data(), sizeof eight);
+  return (eight & 0x8080808080808080U) == 0;
+}
+
 /// Bytes that begin such a letter are looked for first, for pages are long.
 bool has_rare_letters(std::string_view page) {
   for (std::size_t at = 0; at + 1 < page.size(); ++at) {
+    while (begins_with_ascii(page.substr(at))) at += sizeof(std::uint64_t);
+    if (at + 1 >= page.size()) return false;
     const auto byte = static_cast<unsigned char>(page[at]);
     const bool is_of_two = (byte & 0xE0U) == 0xC0U;
     if (!is_of_two) continue;

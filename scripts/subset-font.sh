@@ -34,11 +34,11 @@ metrics.usWinAscent, metrics.usWinDescent = 900, 250
 font.save(sys.argv[2])
 PYTHON
 
-# Latin, its signs and superscripts, operators, the radical, math italics of Latin and Greek. Other letters, upright Greek
+# Latin, its signs and superscripts, pi, operators, the radical, math italics of Latin and Greek. Other letters, upright Greek
 # ones and arrows, are set in the sans font. Without the text of the licence, which the file LICENSE has, and without
 # kerning and variants of scripts, which lines of text have not either.
 /usr/bin/python3 -m fontTools.subset "$renamed" --output-file="$target" --flavor=woff2 --layout-features='' \
   --drop-tables+=FFTM,GDEF --no-hinting --desubroutinize --no-recalc-timestamp --name-IDs='0,1,2,3,4,6,14' \
   --notdef-outline --unicodes="\
-U+0020-007E,U+00A0,U+00B0-00B3,U+00B5,U+00B7,U+00B9,U+00D7,U+2009,U+2026,U+2032,U+210E,U+2126,U+2192,U+2212,U+221A,\
+U+0020-007E,U+00A0,U+00B0-00B3,U+00B5,U+00B7,U+00B9,U+00D7,U+03C0,U+2009,U+2026,U+2032,U+210E,U+2126,U+2192,U+2212,U+221A,\
 U+221E,U+2227,U+2228,U+2248,U+2260,U+2264,U+2265,U+22C5,U+1D434-1D467,U+1D6E2-1D71B"

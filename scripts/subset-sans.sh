@@ -20,8 +20,9 @@ subset() {
 more="U+00A1-00AF,U+00B4,U+00B6,U+00B8,U+00BA,U+00BB,U+00BF-00C3,U+00C5-00D5,U+00D9-00DB,U+00DD,U+00DE,U+00E0-00E3,\
 U+00E5-00F5,U+00F8-00FB,U+00FD-017F,U+0401,U+0410-044F,U+0451"
 
+# Headings, labels and sizes that were found
 slim="U+0020-007E,U+00A0,U+00B0,U+00B2,U+00B3,U+00B5,U+00B7,U+00C4,U+00D6,U+00D7,U+00DC,U+00DF,U+00E4,U+00F6,U+00FC,\
-U+0391-03A1,U+03A3-03A9,U+03B1-03C9,U+2013,U+2026,U+2212,U+221E,U+2248,U+2264,U+2265"
+U+2013,U+2026,U+2212,U+221E,U+2248,U+2264,U+2265"
 subset OpenSans-Regular loadpath-sans "$letters"
 subset OpenSans-Regular loadpath-sans-more "$more"
 subset OpenSans-Semibold loadpath-sans-semibold "$slim"

@@ -42,10 +42,9 @@ Table taken_values(const Lines& lines) {
   return table;
 }
 
-/// Lines in their order: formulas worked out, long runs of values that are taken from elsewhere as tables. A short run
-/// in a table of its own would take as much room in print, and more in the file.
+/// Lines in their order: formulas worked out, runs of values that are taken from elsewhere as tables.
 void add_lines(const Lines& lines, std::vector<Block>& blocks) {
-  constexpr std::size_t least_run = 4;
+  constexpr std::size_t least_run = 2;
   Lines formulas;
   for (std::size_t i = 0; i < lines.size();) {
     std::size_t end = i;
@@ -55,8 +54,8 @@ void add_lines(const Lines& lines, std::vector<Block>& blocks) {
       blocks.emplace_back(taken_values(
           {lines.begin() + static_cast<std::ptrdiff_t>(i), lines.begin() + static_cast<std::ptrdiff_t>(end)}));
     } else {
-      end = std::max(end, i + 1);
-      for (std::size_t k = i; k < end; ++k) formulas.push_back(lines[k]);
+      end = i + 1;
+      formulas.push_back(lines[i]);
     }
     i = end;
   }

@@ -71,6 +71,21 @@ std::string classes_of(Setting setting, const Sides& sides) {
 
 }  // namespace
 
+std::optional<Derivation> as_lines(const Table& table) {
+  constexpr std::size_t most = 3;
+  const bool is_list = table.caption.empty() && table.head.size() == 3 && table.head[0].id == "symbol";
+  if (!is_list || table.rows.size() > most) return std::nullopt;
+  Derivation lines;
+  for (const auto& row : table.rows) {
+    const auto* const symbol = std::get_if<Symbol>(&row[0]);
+    const auto* const meaning = std::get_if<Message>(&row[1]);
+    const auto* const value = std::get_if<Quantity>(&row[2]);
+    if (symbol == nullptr || meaning == nullptr || value == nullptr) return std::nullopt;
+    lines.steps.push_back({symbol->name, "", {}, *value, *meaning});
+  }
+  return lines;
+}
+
 // A report has some thousand lines, so their cells are known by their places: symbol, formula, numbers, result. Only
 // the words behind them have a name.
 std::string derivation(const Derivation& derivation) {

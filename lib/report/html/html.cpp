@@ -23,6 +23,16 @@ bool is_tall(const figure::Figure& figure) {
   return shaft != nullptr && !shaft->diagrams.empty();
 }
 
+/// Adds a block; lines of a calculation that follow others continue their list.
+void append_block(std::string& page, std::string_view block) {
+  constexpr std::string_view begin = "<ul class=\"derivation\">\n", end = "</ul>\n";
+  if (page.ends_with(end) && block.starts_with(begin)) {
+    page.resize(page.size() - end.size());
+    block.remove_prefix(begin.size());
+  }
+  page += block;
+}
+
 /// Writes block after block; numbers run through the page.
 class Writer {
  public:
@@ -60,7 +70,7 @@ class Writer {
     for (const Block& block : document.blocks) {
       const auto* const heading = std::get_if<Heading>(&block);
       const bool begins = heading != nullptr && heading->level <= 2;
-      out += begins ? section(*heading) : std::visit([&](const auto& b) { return (*this)(b); }, block);
+      append_block(out, begins ? section(*heading) : std::visit([&](const auto& b) { return (*this)(b); }, block));
     }
     if (!document.input.empty()) out += section(input_heading()) + as_typed(document.input);
     return out + end_of_section() + "</section>\n";
@@ -85,6 +95,7 @@ class Writer {
     return {};
   }
   std::string operator()(const Table& table) {
+    if (const auto lines = page::as_lines(table)) return page::derivation(*lines);
     if (table.caption.empty()) return page::table(table, "");
     return page::table(table, "<p class=\"caption\">" + numbered("Table", numbering_.table(), table.caption) + "</p>");
   }
@@ -151,7 +162,8 @@ class Writer {
   }
   std::string written(const Panel& panel, bool is_numbered) {
     std::string out = "<section class=\"panel\">" + heading_of(panel, is_numbered);
-    for (const Block& block : panel.blocks) out += std::visit([&](const auto& b) { return (*this)(b); }, block);
+    for (const Block& block : panel.blocks)
+      append_block(out, std::visit([&](const auto& b) { return (*this)(b); }, block));
     return out + "</section>\n";
   }
   std::string heading_of(const Panel& panel, bool is_numbered) {
@@ -209,7 +221,8 @@ std::string html(const Document& document, Folding folding) {
   std::string page;
   if (document.pages.empty()) {
     page += writer.front(document);
-    for (const Block& block : document.blocks) page += std::visit([&](const auto& b) { return writer(b); }, block);
+    for (const Block& block : document.blocks)
+      append_block(page, std::visit([&](const auto& b) { return writer(b); }, block));
     page += writer.input(document.input);
   } else {
     page += writer.pages(document);

@@ -3,6 +3,7 @@
 
 #include "lib/report/document.hpp"
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -29,6 +30,9 @@ std::string state_cell(State state, const std::string& words);
 std::string headline(const Modes& modes);
 
 std::string derivation(const Derivation& derivation);
+/// A few values between formulas as lines without a formula: a table of their own would take as much room in print, and
+/// more in the file. Nothing of other tables.
+std::optional<Derivation> as_lines(const Table& table);
 /// Links a row to the heading of its step where the page has one.
 std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anchors);
 /// A bar for a utilisation.

@@ -144,6 +144,19 @@ TEST_SUITE("formula") {
     CHECK(mathml(tree, {}, known) == "<mfrac><mi>F</mi><mi mathvariant=\"normal\">N</mi></mfrac>");
   }
 
+  TEST_CASE("a ratio of two values has a solidus where it is a term, and a bar in a product") {
+    const auto terms = [](std::string_view cpp) { return mathml_terms(parse(cpp).value(), numbers); };
+    CHECK(terms("T / d") == std::vector<std::string>{"<mn>(600\u2009N·m)</mn><mn>/</mn><mn>(50\u2009mm)</mn>"});
+    CHECK(terms("z / 2.0") == std::vector<std::string>{"<mn>8</mn><mn>/</mn><mn>2</mn>"});
+    CHECK(terms("1.0 - z / 2.0")[1] == "<mo form=\"infix\">−</mo><mn>8</mn><mn>/</mn><mn>2</mn>");
+    for (const char* stacked : {"z * (T / d)", "T / (z * d)", "z / n"}) {
+      CAPTURE(stacked);
+      CHECK(terms(stacked)[0].find("<mfrac>") != std::string::npos);
+    }
+    CHECK(mathml_terms(parse("T / d").value()) == std::vector<std::string>{"<mfrac><mi>T</mi><mi>d</mi></mfrac>"});
+    CHECK(tex(parse("1.0 + z / 2.0").value(), numbers) == "1 + 8/2");
+  }
+
   TEST_CASE("a sum falls into terms that begin with their signs") {
     const auto terms = mathml_terms(parse("a - b * c + d").value());
     REQUIRE(terms.size() == 3);

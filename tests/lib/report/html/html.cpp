@@ -58,6 +58,16 @@ TEST_SUITE("report") {
     CHECK(contains(body({Derivation{{step}}}), "<li class=\"v\"><i>𝑑</i><p>= not available</p></li>"));
   }
 
+  TEST_CASE("a few values between formulas are lines of the calculation, more of them a table") {
+    Table values{{}, {say("symbol"), say("meaning"), say("value")}, {}};
+    values.rows.push_back({loadpath::report::Symbol{"d"}, say("as given"), Quantity{0.03, "mm"}});
+    const std::string lines = body({Derivation{{torsion_step()}}, values, Derivation{{torsion_step()}}});
+    CHECK(contains(lines, "<li class=\"v\"><i>𝑑</i><p>= 30\u2009mm</p><p class=\"w\">as given</p></li>"));
+    CHECK(lines.find("<ul") == lines.rfind("<ul"));
+    values.rows.resize(4, values.rows.front());
+    CHECK(contains(body({values}), "<table class=\"of-values"));
+  }
+
   TEST_CASE("a formula outside of the language is shown as written") {
     Step step = torsion_step();
     step.formula = "a >> b";

@@ -13,7 +13,9 @@ std::string element(std::string_view name, std::string_view content) {
   const std::string_view last = name.substr(0, name.find(' '));
   std::string out;
   out.reserve(name.size() + content.size() + last.size() + 5);
-  return out.append("<").append(name).append(">").append(content).append("</").append(last).append(">");
+  (out += '<').append(name) += '>';
+  ((out.append(content) += '<') += '/').append(last) += '>';
+  return out;
 }
 /// Whether the element that begins the markup also ends it.
 bool is_single(std::string_view markup) {

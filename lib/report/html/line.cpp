@@ -157,8 +157,11 @@ std::string shorter_row(std::string_view markup) {
 std::string math(std::string_view fragment) {
   constexpr std::string_view equals = "<mo>=</mo>";
   auto text = text_of(fragment, false);
-  if (!text && fragment.starts_with(equals)) return "= " + math(fragment.substr(equals.size()));
-  if (!text) return "<math>" + shorter_row(fragment) + "</math>";
+  if (!text) {
+    const bool is_equation = fragment.starts_with(equals);
+    if (is_equation) fragment.remove_prefix(equals.size());
+    return (is_equation ? "= <math>" : "<math>") + shorter_row(fragment) + "</math>";
+  }
   if (text->starts_with(' ') && fragment.starts_with("<mo>=")) text->erase(0, 1);
   return "<i>" + *text + "</i>";
 }

@@ -50,7 +50,7 @@ Table result_table(const Account& account, const Lines& lines) {
     const bool lists = is_list_path(e.path), judged = e.role != Role::result;
     if (lists || judged || is_open(e)) continue;
     if (is_calculated(e, lines)) {
-      table.caption = say("Results not calculated above");
+      table.caption = say("Further results");
     } else {
       table.rows.push_back({Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
     }

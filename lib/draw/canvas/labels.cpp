@@ -91,16 +91,35 @@ std::optional<Box> Labels::place_free(const std::vector<Candidate>& candidates) 
   return best;
 }
 
+namespace {
+
+/// A direction from a point, and its angle to that above and to the right.
+struct Ray {
+  Point direction;
+  double away;
+};
+constexpr std::size_t directions = 32;
+
+std::array<Ray, directions> rays() {
+  std::array<Ray, directions> all;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const double turn = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(directions);
+    all[i] = {{std::cos(turn), -std::sin(turn)},
+              std::fabs(std::remainder(turn - 0.25 * std::numbers::pi, 2.0 * std::numbers::pi))};
+  }
+  return all;
+}
+
+}  // namespace
+
 std::vector<Candidate> around(Point point, double gap, double width, double height) {
-  constexpr int directions = 32;
+  static const std::array<Ray, directions> from_point = rays();
+  constexpr std::array<double, 5> distances{0.0, 6.0, 14.0, 24.0, 36.0};
   std::vector<Candidate> candidates;
-  for (const double far : {0.0, 6.0, 14.0, 24.0, 36.0}) {
-    for (int i = 0; i < directions; ++i) {
-      const double turn = 2.0 * std::numbers::pi * i / directions;
-      const Point direction{std::cos(turn), -std::sin(turn)};
-      const double away = std::fabs(std::remainder(turn - 0.25 * std::numbers::pi, 2.0 * std::numbers::pi));
-      candidates.push_back({pushed(point, direction, gap + far, width, height), away + far});
-    }
+  candidates.reserve(directions * distances.size());
+  for (const double far : distances) {
+    for (const Ray& ray : from_point)
+      candidates.push_back({pushed(point, ray.direction, gap + far, width, height), ray.away + far});
   }
   return candidates;
 }

@@ -93,6 +93,21 @@ class Printer {
     return list;
   }
 
+  /// A term that is a ratio of two values has a solidus: (12 N)/(3 mm).
+  [[nodiscard]] Piece term(const Node& tree) const {
+    const Node& node = chosen(tree);
+    const auto is_name = [](const Node& kid) { return kid.kind == Kind::number || kid.kind == Kind::symbol; };
+    const auto is_value = [](const Piece& p) {
+      return !p.minus && (p.form == Form::number || p.form == Form::quantity);
+    };
+    if (!substituted_ || !to_.stacked() || !is(node, "/") || !is_name(node.kids[0]) || !is_name(node.kids[1]))
+      return piece(node);
+    const Piece over = piece(node.kids[0]), under = piece(node.kids[1]);
+    if (!is_value(over) || !is_value(under)) return piece(node);
+    return {at_least(Level::atom, over).text + to_.solidus() + at_least(Level::atom, under).text, Level::product,
+            Form::fraction};
+  }
+
  private:
   [[nodiscard]] Piece fence(const Piece& inner) const { return {to_.fenced(inner.text), Level::atom, inner.form}; }
   [[nodiscard]] Piece at_least(Level level, const Piece& piece) const {
@@ -130,7 +145,7 @@ class Printer {
 
   [[nodiscard]] Piece infix(const Node& tree) const {
     if (tree.text == "+" || tree.text == "-") {
-      const Piece left = at_least(Level::sum, piece(tree.kids[0]));
+      const Piece left = at_least(Level::sum, term(tree.kids[0]));
       return {left.text + to_.infix(tree.text) + right_term(tree).text, Level::sum, Form::other, left.minus};
     }
     const Level level = tree.text == "||" ? Level::either : tree.text == "&&" ? Level::both : Level::comparison;
@@ -146,20 +161,6 @@ class Printer {
     const Node& node = chosen(tree);
     if (is(node, "+") || is(node, "-")) return terms(node);
     return {at_least(Level::sum, term(node)).text};
-  }
-  /// A term that is a ratio of two values has a solidus: (12 N) / (3 mm).
-  [[nodiscard]] Piece term(const Node& tree) const {
-    const Node& node = chosen(tree);
-    const auto is_name = [](const Node& kid) { return kid.kind == Kind::number || kid.kind == Kind::symbol; };
-    const auto is_value = [](const Piece& p) {
-      return !p.minus && (p.form == Form::number || p.form == Form::quantity);
-    };
-    if (!substituted_ || !to_.stacked() || !is(node, "/") || !is_name(node.kids[0]) || !is_name(node.kids[1]))
-      return piece(node);
-    const Piece over = piece(node.kids[0]), under = piece(node.kids[1]);
-    if (!is_value(over) || !is_value(under)) return piece(node);
-    return {at_least(Level::atom, over).text + to_.solidus() + at_least(Level::atom, under).text, Level::product,
-            Form::fraction};
   }
 
   [[nodiscard]] Piece product(const Node& tree) const {
@@ -258,7 +259,7 @@ class Printer {
 }  // namespace
 
 std::string print(const Notation& notation, const Node& tree, const Substituted& substituted, const Known& known) {
-  return Printer(notation, substituted, known).piece(tree).text;
+  return Printer(notation, substituted, known).term(tree).text;
 }
 
 std::vector<std::string> print_terms(const Notation& notation, const Node& tree, const Substituted& substituted,

@@ -69,11 +69,18 @@ bool overhangs(const Input& in, const Support& support) {
   return ring.from < -tolerance || ring.to > length_of(in) + tolerance;
 }
 
+/// The two meshes of an idler: a seat for each load, at one place, of gears with one root circle and tooth depth.
+bool is_one_gear(const Input& in, const Seat& a, const Seat& b) {
+  const auto equal = [&](Length one, Length other) { return abs(one - other) <= one_place * length_of(in); };
+  return a.kind == Mounted::gear && b.kind == Mounted::gear && equal(a.x, b.x) && equal(a.d_f, b.d_f) &&
+         equal(a.h_t, b.h_t);
+}
+
 bool bodies_overlap(const Input& in) {
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
     const Extent extent = extent_of(in.seats[i]);
     for (std::size_t j = 0; j < i; ++j) {
-      if (overlap(in, extent, extent_of(in.seats[j]))) return true;
+      if (!is_one_gear(in, in.seats[i], in.seats[j]) && overlap(in, extent, extent_of(in.seats[j]))) return true;
     }
     for (const Support& support : in.supports) {
       if (overlap(in, extent, room_of(in, support))) return true;

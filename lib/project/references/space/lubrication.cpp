@@ -9,10 +9,10 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr std::string_view bearing = "bearing.rolling";
+constexpr std::string_view rated_bearing = "bearing.rolling";
 
 bool is_bearing(const Step& step) {
-  return step.input().calculator != nullptr && bearing == step.input().calculator->id;
+  return step.input().calculator != nullptr && rated_bearing == step.input().calculator->id;
 }
 
 /// Whether the rating life includes the lubricant, by nu or kappa, or a life factor given as a whole.

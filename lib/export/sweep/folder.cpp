@@ -1,9 +1,8 @@
 #include "lib/export/sweep/folder.hpp"
 
+#include "lib/export/sweep/crc64.hpp"
 #include "lib/export/sweep/lock.hpp"
 #include "lib/sweep/output/npy.hpp"
-
-#include <boost/crc.hpp>
 
 #include <algorithm>
 
@@ -13,11 +12,7 @@ namespace fs = std::filesystem;
 
 std::string aside_of(const std::string& name) { return "." + name + ".part"; }
 
-std::uint64_t checked(std::uint64_t before, std::string_view bytes) {
-  boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0, 0, false, false> crc(before);
-  crc.process_bytes(bytes.data(), bytes.size());
-  return crc.checksum();
-}
+std::uint64_t checked(std::uint64_t before, std::string_view bytes) { return crc64(before, bytes); }
 
 std::uint64_t checked(std::uint64_t before, std::span<const double> values) {
   return checked(before, std::string_view(reinterpret_cast<const char*>(values.data()), values.size_bytes()));

@@ -16,6 +16,7 @@ static_assert(std::endian::native == std::endian::little, "the columns are writt
 namespace {
 
 constexpr std::size_t header_size = npy_header_size;
+constexpr std::size_t buffer_size = std::size_t{1} << 16;
 
 /// Fixed size for any number of rows: it is written again when there are more.
 std::array<char, header_size> header(std::uint64_t rows) {
@@ -42,6 +43,9 @@ Outcome<NpyColumn> NpyColumn::open(const std::filesystem::path& path, std::uint6
   NpyColumn column;
   column.file_.reset(std::fopen(path.c_str(), rows == 0 ? "w+b" : "r+b"));
   if (!column.file_) return fault(path);
+  std::unique_ptr<char[]>& buffer = column.file_.get_deleter().buffer;
+  buffer = std::make_unique<char[]>(buffer_size);
+  std::setvbuf(column.file_.get(), buffer.get(), _IOFBF, buffer_size);
   column.rows_ = rows;
   std::FILE* const file = column.file_.get();
   if (rows != 0 && (std::fseek(file, 0, SEEK_END) != 0 || std::ftell(file) < end_of(rows)))

@@ -27,8 +27,10 @@ class NpyColumn {
   [[nodiscard]] std::uint64_t rows() const { return rows_; }
 
  private:
+  /// With the memory that the file fills before it is written to: blocks of points are small.
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
+    std::unique_ptr<char[]> buffer;
   };
   std::unique_ptr<std::FILE, Close> file_;
   std::uint64_t rows_ = 0;

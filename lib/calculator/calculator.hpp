@@ -99,7 +99,7 @@ struct Calculator {
   /// The fastest loop for the given base, varying inputs and requested results. It serves every block of columns with
   /// these offsets: a sweep of many blocks requests it once.
   SweepLoop (*loop)(const void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out) = nullptr;
-  /// `holds` and `applies` for a block of points.
+  /// `holds` and, if modes are requested, `applies` for a block of points.
   Survey survey = nullptr;
   /// The forms that have a loop of their own.
   std::span<const Form> forms;

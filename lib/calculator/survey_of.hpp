@@ -31,7 +31,9 @@ void survey(void* input, std::span<const InputColumn> in, std::span<const char> 
     if (other[i] != 0) continue;
     for (const InputColumn& column : in) std::memcpy(base + column.offset, column.si + i, sizeof(double));
     if (breaks_any<C>(point, rules, std::make_index_sequence<C::rules.size()>{})) other[i] = 1;
-    if constexpr (requires { C::modes; }) ask_modes<C>(point, modes, i, std::make_index_sequence<C::modes.size()>{});
+    if constexpr (requires { C::modes; }) {
+      if (!modes.empty()) ask_modes<C>(point, modes, i, std::make_index_sequence<C::modes.size()>{});
+    }
   }
 }
 

@@ -114,23 +114,38 @@ void ColumnParts::leave_unloaded(PointColumns& points) const {
 
 /// Rules, and which modes concern the part, with the inputs as they are now.
 void ColumnParts::ask(PointColumns& points, std::span<const char> asked_rules) {
-  const std::size_t rows = points.count * positions();
   applies.resize(calculator.modes.size());
   applies_over.resize(calculator.modes.size());
   applies_at.clear();
   for (std::vector<Applies>& of_mode : axis == nullptr ? applies : applies_over) {
-    of_mode.assign(rows, Applies::no);
+    of_mode.assign(points.count * positions(), Applies::no);
     applies_at.push_back(of_mode.data());
   }
+  survey(points, asked_rules);
+  if (axis != nullptr) gather_modes(points);
+}
+
+/// Rules alone: before a search nothing is judged.
+void ColumnParts::ask_rules(PointColumns& points, std::span<const char> asked_rules) {
+  applies_at.clear();
+  survey(points, asked_rules);
+}
+
+/// A rule is violated at a point if it is so at any position.
+void ColumnParts::survey(PointColumns& points, std::span<const char> asked_rules) {
+  const std::size_t count = positions(), rows = points.count * count;
   if (axis == nullptr) {
     calculator.survey(record.data.get(), in, asked_rules, applies_at, rows, points.is_other.data());
     return;
   }
   other_rows.resize(rows);
   for (std::size_t point = 0; point < points.count; ++point)
-    std::fill_n(other_rows.data() + point * positions(), positions(), points.is_other[point]);
+    std::fill_n(other_rows.data() + point * count, count, points.is_other[point]);
   calculator.survey(record.data.get(), in, asked_rules, applies_at, rows, other_rows.data());
-  gather(points);
+  for (std::size_t point = 0; point < points.count; ++point) {
+    const std::span<const char> others(other_rows.data() + point * count, count);
+    if (std::ranges::find(others, char{1}) != others.end()) leave(points, point);
+  }
 }
 
 namespace {
@@ -147,13 +162,9 @@ Applies applies_anywhere(std::span<const Applies> positions) {
 
 }  // namespace
 
-/// Combines the positions of a point: a rule is violated, or a mode applies, if it is so at any position.
-void ColumnParts::gather(PointColumns& points) {
+/// A mode applies at a point if it does at any position.
+void ColumnParts::gather_modes(const PointColumns& points) {
   const std::size_t count = positions();
-  for (std::size_t point = 0; point < points.count; ++point) {
-    const std::span<const char> others(other_rows.data() + point * count, count);
-    if (std::ranges::find(others, char{1}) != others.end()) leave(points, point);
-  }
   for (std::size_t k = 0; k < applies.size(); ++k) {
     applies[k].resize(points.count);
     for (std::size_t point = 0; point < points.count; ++point) {

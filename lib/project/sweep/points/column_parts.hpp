@@ -45,7 +45,9 @@ struct ColumnParts : ColumnPlan {
   void tell_found(PointColumns& points) const;
   void check_inputs(PointColumns& points);
   void ask(PointColumns& points, std::span<const char> asked_rules);
-  void gather(PointColumns& points);
+  void ask_rules(PointColumns& points, std::span<const char> asked_rules);
+  void survey(PointColumns& points, std::span<const char> asked_rules);
+  void gather_modes(const PointColumns& points);
   void judge(const PointColumns& points, std::vector<account::ModeColumns>& modes);
   void leave_unloaded(PointColumns& points) const;
   void fold_rows(const Judging& judged, std::size_t n);

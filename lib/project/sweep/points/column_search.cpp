@@ -14,7 +14,7 @@ void ColumnParts::find_first_candidates(PointColumns& points) {
   const double found = wanted.leaf.get();
   wanted.leaf.set(nan);
   start_sizes(points);
-  if (rules != no_rules) ask(points, rules);
+  if (rules != no_rules) ask_rules(points, rules);
   settle_sizes(points);
   wanted.at.assign(points.count, {});
   if (wanted.least != nullptr) {

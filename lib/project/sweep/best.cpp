@@ -229,7 +229,12 @@ void find_lacks(Variants& variants, Best& best) {
   if (optimum.allowed) best.fails = failure_of(variants, point_at(optimum.point));
 }
 
+constexpr double risk = 0.05;  // of a confidence of 95 %
+
 }  // namespace
+
+double samples_needed(double quantile) { return std::ceil(std::log(risk) / std::log(quantile)); }
+double shown_by(std::uint64_t samples) { return std::pow(risk, 1.0 / static_cast<double>(samples)); }
 
 std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, std::uint64_t samples,
                               std::uint64_t seed, std::vector<Issue>& issues) {
@@ -259,6 +264,8 @@ std::optional<Best> find_best(const Searching& searching, const BestAsked& asked
     return std::nullopt;
   }
   best.point = middles_of(best.inputs);
+  best.quantile = asked.quantile;
+  best.samples = asked.quantile && !scattering.empty() ? samples : 0;
   Slice chosen(threaded, best.point, best.chosen, 1 + best.demands.size());
   std::optional<sweep::Robust> robust;
   if (asked.quantile)

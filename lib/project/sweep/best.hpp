@@ -6,6 +6,7 @@
 #include "lib/sweep/search/goal_seek.hpp"
 #include "lib/sweep/search/minimise.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,7 +40,14 @@ struct Best {
   std::vector<Message> lacks;  // per neighbour, why the violated constraint has no value, or the mode that fails
   Message fails;               // the failure mode that the best design fails, where no constraint is about it
   Message lack;                // the same of the nearest design, if none satisfies the constraints
+  std::optional<double> quantile = {};  // the requested one
+  std::uint64_t samples = 0;            // of each design; 0: no input scatters
 };
+
+/// Samples of a design that all pass, with which it passes with this probability: with 95 % confidence.
+double samples_needed(double quantile);
+/// The probability that so many passing samples show, with 95 % confidence.
+double shown_by(std::uint64_t samples);
 
 /// Inputs with values, words and stocks are chosen from these, { from, to } from the interval; uncertain inputs
 /// stay at their mean, or scatter if a quantile is requested. Issues if the request cannot be read.

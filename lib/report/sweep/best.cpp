@@ -45,6 +45,9 @@ Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Messag
   if (neighbour.broken >= best.demands.size()) return say("no nearer to the constraints");
   const std::string& demand = best.demands[neighbour.broken].text;
   const double value = neighbour.outputs[neighbour.broken + 1];
+  if (best.quantile && best.demands[neighbour.broken].kind == sweep::Constraint::Kind::is_one && std::isfinite(value))
+    return say("violates '{1}' in {2} % of the samples", demand,
+               format_number(value * (1.0 - *best.quantile) * 100, 3));
   if (std::isfinite(value) && !lack.empty())
     return say("violates '{1}' ({2}): {3}", demand, format_number(value, 4), lack);
   if (std::isfinite(value)) return say("violates '{1}' ({2})", demand, format_number(value, 4));
@@ -61,6 +64,22 @@ Table neighbour_table(const Best& best) {
                           in_unit_of(neighbour.outputs[0], best.unit), lot_of(best, neighbour, best.lacks[i])});
   }
   return table;
+}
+
+}  // namespace
+
+namespace {
+
+/// Fewer samples than the probability needs: what they show.
+std::vector<Block> too_few_samples(const Best& best) {
+  if (!best.quantile || best.samples == 0) return {};
+  const double needed = project::samples_needed(*best.quantile);
+  if (static_cast<double>(best.samples) >= needed) return {};
+  const Message text =
+      say("{1} samples show a probability of {2} % with 95 % confidence, and {3} % needs {4}: --samples {4}",
+          std::to_string(best.samples), format_number(100.0 * project::shown_by(best.samples), 4),
+          format_number(100.0 * *best.quantile, 7), format_number(needed, 12));
+  return {Paragraph{text, Paragraph::Tone::warning}};
 }
 
 }  // namespace
@@ -84,6 +103,7 @@ std::vector<Block> best_blocks(const Best& best) {
         Paragraph{say("this design does not pass: {1}; add --such-that \"every mode passes\"", best.fails),
                   Paragraph::Tone::warning});
   }
+  for (Block& warning : too_few_samples(best)) blocks.push_back(std::move(warning));
   blocks.emplace_back(chosen_table(best));
   blocks.emplace_back(neighbour_table(best));
   return blocks;

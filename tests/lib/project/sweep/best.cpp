@@ -226,6 +226,28 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(project::find_influence({reader(text)}, plan, project.sweep, 0, issues));
   }
 
+  TEST_CASE("fewer samples than the probability needs are a warning that states what they show") {
+    CHECK(project::samples_needed(0.95) == 59.0);  // Wilks 1941, one-sided limits of 95 % confidence
+    CHECK(project::samples_needed(0.99) == 299.0);
+    CHECK(project::shown_by(299) >= 0.99);
+    CHECK(project::shown_by(298) < 0.99);
+    const std::string text = tube + sizes + "P = { mean = \"40 kN\", sd = \"4 kN\" }\n";
+    const auto warns = [&](std::uint64_t samples, std::optional<double> quantile) {
+      std::vector<Issue> issues;
+      const auto best = project::find_best({reader(text)}, {asked(area), false, {asked("strut passes")}, quantile, {}},
+                                           samples, 1, issues);
+      REQUIRE(best);
+      const auto blocks = report::best_blocks(*best);
+      return std::any_of(blocks.begin(), blocks.end(), [](const report::Block& block) {
+        const auto* const paragraph = std::get_if<report::Paragraph>(&block);
+        return paragraph != nullptr && contains(paragraph->text.text(), "99 % needs 299: --samples 299");
+      });
+    };
+    CHECK(warns(100, 0.99));
+    CHECK_FALSE(warns(299, 0.99));
+    CHECK_FALSE(warns(100, std::nullopt));
+  }
+
   TEST_CASE("an objective and a demand may bear a name") {
     const std::string text = tube + sizes + "P = \"40 kN\"\n";
     const auto find = [&](const std::string& objective, const std::string& demand) {

@@ -255,6 +255,25 @@ TEST_SUITE("found expressions") {
     }
   }
 
+  TEST_CASE("formulas of books for numbers without units, and circles without pi, are refused") {
+    const std::string of_drive = "P = \"3 kW\"\nn = \"960 rpm\"\nd = \"80 mm\"\nv = \"2 m/s\"\np = \"16 MPa\"\n";
+    for (const char* const T : {"9550*values.P/values.n", "9.55*values.P/values.n", "9549.3*values.P/values.n"})
+      CHECK_MESSAGE(contains(refused(of_drive, axle + "T = \"=" + T + "\"\n"), "converts kW and rpm to N m"), T);
+    CHECK(refused(of_drive, axle + "T = \"=95*values.P/values.n\"\n").empty());
+    CHECK(contains(refused(of_drive, fan + "omega = \"=values.v/values.d\"\n"), "is half the angular velocity"));
+    CHECK(omega_of("v = \"2 m/s\"\nd = \"80 mm\"\n", "2*values.v/values.d") == doctest::Approx(50.0));
+    CHECK(omega_of("v = \"2 m/s\"\nr = \"40 mm\"\n", "values.v/values.r") == doctest::Approx(50.0));
+    const auto lug = [&](const std::string& F) {
+      return refused(of_drive,
+                     "[lug]\ncalculator = \"pin.lug\"\nd = \"40 mm\"\nb = \"110 mm\"\na = \"38 mm\"\nt = \"25 "
+                     "mm\"\nsigma_adm = \"80 MPa\"\ntau_adm = \"40 MPa\"\np_adm = \"80 MPa\"\nF = \"=" +
+                         F + "\"\n");
+    };
+    CHECK(contains(lug("values.d^2/4*values.p"), "is not the area of a circle"));
+    CHECK(lug("pi*values.d^2/4*values.p").empty());
+    CHECK(lug("values.d^2*values.p").empty());
+  }
+
   TEST_CASE("an expression is warned of and refused like the number that it is") {
     for (const char* G : {"\"900 GPa\"", "\"=900 GPa\"", "\"=3*values.G\""}) {
       const Solved solved("[values]\nG = \"300 GPa\"\n" + axle + "T = \"20 N*m\"\nl = \"1 m\"\nG = " + G + "\n");

@@ -28,6 +28,7 @@ inline bool names_diameter(const std::string& path) {
 struct Factors {
   double number = 1.0;                    // literals but pi
   int pi = 0, speeds = 0, diameters = 0;  // powers
+  int velocities = 0;                     // linear speeds
   bool has_frequency = false;             // 2*pi may belong to it
 };
 
@@ -65,6 +66,7 @@ class Product {
     const bool is_two_pi = f.pi == f.speeds && f.diameters == 0 && std::abs(f.number) == std::pow(2.0, f.pi);
     const bool is_of_minutes = f.pi == 1 && f.diameters == 0 && std::abs(30.0 * std::abs(f.number) - 1.0) < 1e-12;
     if (f.has_frequency) return {};
+    if (Fault found = judge_units(node, f, dimension); !found.message.empty()) return found;
     if ((f.speeds == 1 && (is_two_pi || is_of_minutes) && dimension == per_time) ||
         (std::abs(f.speeds) == 1 && is_two_pi && (dimension == speed || dimension == of_power || dimension == work)))
       return fault(say("2*pi converts revolutions, and an angular velocity is in radians per time already"),
@@ -81,6 +83,28 @@ class Product {
       return fault(say("pi*d^2 is four times the area of a circle"), say("write pi*d^2/4"));
     return {};
   }
+
+  /// Formulas of textbooks for numbers without units, and formulas of circles without pi or 2.
+  [[nodiscard]] static Fault judge_units(const Node& node, const Factors& f, const Dimension& dimension) {
+    const auto fault = [&](Message message, Message hint) {
+      return Fault{node.at, node.length, std::move(message), std::move(hint)};
+    };
+    const double number = std::abs(f.number), factor = number < 1.0 ? 1.0 / number : number;
+    const auto is_about = [&](double value) { return std::abs(factor - value) < 1e-3 * value; };
+    if (f.pi == 0 && std::abs(f.speeds) == 1 && (dimension == of_power || dimension == work) &&
+        (is_about(9550.0) || is_about(9.55)))
+      return fault(say("{1} converts kW and rpm to N m, and these values have units", in_digits(factor)),
+                   say("leave it out"));
+    if (f.pi == 0 && f.speeds == 0 && f.velocities == 1 && f.diameters == -1 && number == 1.0 && dimension == per_time)
+      return fault(say("a circumferential speed over a diameter is half the angular velocity"),
+                   say("write 2*v/d; if d is a distance, give it another name"));
+    const bool is_area = (f.diameters == 2 && number == 0.25 && dimension == force) ||
+                         (f.diameters == -2 && number == 4.0 && dimension == stress);
+    if (f.pi == 0 && is_area) return fault(say("d^2/4 is not the area of a circle"), say("write pi*d^2/4"));
+    return {};
+  }
+
+  static std::string in_digits(double factor) { return factor > 1e3 ? "9550" : "9.55"; }
 
   void collect(const Node& node, int power, Factors& f) const {
     switch (node.operation) {
@@ -106,7 +130,8 @@ class Product {
       case Operation::reference:
         if (of_(node.path) == Meant::angular_speed) f.speeds += power;
         f.has_frequency = f.has_frequency || of_(node.path) == Meant::frequency;
-        if (names_diameter(node.path) && is_length(node)) f.diameters += power;
+        if (names_diameter(node.path) && has_dimension(node, length)) f.diameters += power;
+        if (has_dimension(node, speed)) f.velocities += power;
         return;
       default:
         return;
@@ -124,9 +149,9 @@ class Product {
       f.number *= std::pow(node.si, power);
   }
 
-  [[nodiscard]] bool is_length(const Node& node) const {
+  [[nodiscard]] bool has_dimension(const Node& node, const Dimension& dimension) const {
     const auto signature = check(tree_, node, declared_);
-    return signature && signature->dimension == length;
+    return signature && signature->dimension == dimension;
   }
 
   const Tree& tree_;

@@ -97,6 +97,7 @@ R_z = "6.3 um"
       Field{&Input::R_z, "R_z", um, "roughness, for the surface of Serensen's school"}
           .positive()
           .usually(0.1, 400)
+          .customarily_at_least(0.1)
           .may_be_missing(),
       Field{&Input::beta_F, "beta_F", ratio, "surface factor, in place of one from R_z"}
           .within(0.2, 1)

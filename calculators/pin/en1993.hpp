@@ -9,6 +9,7 @@
 // c of the standard. Not covered: bored pins, table 3.9 type B, plates under a force that is no pull, fatigue.
 #pragma once
 
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -180,6 +181,9 @@ e_c2 = "35 mm"
       Rule<Input>{[](const Input& in) { return is_set(in.gamma_M6) <= (in.replaceable == Replaceable::yes); },
                   "gamma_M6, replaceable", "gamma_M6 requires a replaceable pin: replaceable = \"yes\""}};
 
+  /// Own bound: the formulas are those of a pin that fits its holes.
+  static double widest_hole(const Input& in) { return 1.1 * in.d.value(); }
+  static constexpr std::array bounds{Bound<Input>{"d_0", "a pin that fits its hole", &widest_hole}};
   static constexpr std::array modes{
       Mode<Input>{"shear", "shear resistance of the pin", &loaded}.judged_by("u_v"),
       Mode<Input>{"bending", "bending resistance of the pin, with shear", &loaded}.judged_by("u_m, u_vm"),

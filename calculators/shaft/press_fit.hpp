@@ -11,6 +11,7 @@
 
 #include "calculators/load/connection.hpp"
 #include "calculators/shaft/parts/torque.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
@@ -22,6 +23,8 @@
 #include "lib/text/issue.hpp"
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace loadpath::shaft {
 
@@ -277,6 +280,14 @@ dT_adm = "250 K"
                   "no usable interference at U_min; take a tighter fit or smoother surfaces", &nothing_left}};
 
   static constexpr std::array meanings{Meaning{"R_e_1, R_e_2", yield_strength}};
+  /// An interference that shaft and hub of the finest customary tolerances cannot have: the spread of two tolerances
+  /// of grade IT5, 7 i each, is 14 i; half of it is left to selective assembly. i by ISO 286-1, d in mm.
+  static double most_certain_interference(const Input& in) {
+    const double d = in.d.value() * 1e3, i = (0.45 * std::cbrt(d) + 0.001 * d) * 1e-6;
+    return in.U_min < in.U_max ? in.U_max.value() - 7.0 * i : std::numeric_limits<double>::quiet_NaN();
+  }
+  static constexpr std::array bounds{
+      Bound<Input>{"U_min", "tolerances of shaft and hub of grade IT5", &most_certain_interference}};
   static constexpr std::array modes{
       Mode<Input>{"slip", "slip of the interference fit", &loaded}.judged_by("u_s, x_l").wanting("T, mu, S_r"),
       Mode<Input>{"shaft", "yielding of the shaft", &always<Input>}.judged_by("u_1"),

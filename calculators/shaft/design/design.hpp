@@ -134,11 +134,13 @@ r_T = 0
       Field{&Input::R_z, "R_z", um, "roughness, for DIN 743, FKM and Serensen"}
           .positive()
           .usually(0.1, 400)
+          .customarily_at_least(0.1)
           .may_be_missing(),
-      Field{&Input::v_adm, "v_adm", mm, "allowable deflection"}.positive().may_be_missing(),
+      Field{&Input::v_adm, "v_adm", mm, "allowable deflection"}.positive().customarily_at_most(5).may_be_missing(),
       Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable angle of twist per unit length"}
           .positive()
           .usually(0.02, 10)
+          .customarily_at_most(15)
           .may_be_missing(),
       Field{&Input::k_n, "k_n", ratio,
             "required ratio of critical speed to speed (1.25 is customary); in torsion: required "

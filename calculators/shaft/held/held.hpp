@@ -86,10 +86,12 @@ phi_adm = "1 deg"
            Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable angle of twist per unit length"}
                       .positive()
                       .usually(0.02, 10)
+                      .customarily_at_most(15)
                       .may_be_missing(),
                   Field{&Input::phi_adm, "phi_adm", deg, "allowable rotation of any section from its unloaded position"}
                       .positive()
                       .usually(0.001, 90)
+                      .customarily_at_most(45)
                       .may_be_missing()});
 
   static constexpr Fields results{

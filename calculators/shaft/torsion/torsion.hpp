@@ -108,6 +108,7 @@ theta_adm = "0.004 rad/m"
           Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable angle of twist per unit length"}
               .positive()
               .usually(0.02, 10)
+              .customarily_at_most(15)
               .may_be_missing(),
           Field{&Input::F, "F", N, "transverse force that acts with the torque and bends the shaft"}.load().coming_with(
               "T"),

@@ -49,6 +49,16 @@ std::vector<Practice> strengths() {
   };
 }
 
+std::vector<Practice> sizes() {
+  return {
+      {"shaft.torsion", "", "theta_adm = \"50 deg/m\"", "theta_adm = \"1 deg/m\"", "twist"},
+      {"shaft.held", "", "phi_adm = \"1 rad\"", "phi_adm = \"2 deg\"", "rotation"},
+      {"pin.en1993", "", "d_0 = \"60 mm\"", "d_0 = \"52 mm\"", "plate_1"},
+      {"shaft.press_fit", "", "U_min = \"85 um\"", "U_min = \"60 um\"", "slip"},
+      {"shaft.press_fit", "", "U_min = \"85 um\"", "U_min = \"90 um\"", "slip"},  // one interference, as in a book
+  };
+}
+
 void check(const Practice& p) {
   const std::string lines = p.common.empty() ? "" : p.common + "\n", of = p.calculator;
   INFO(of);
@@ -76,6 +86,10 @@ TEST_SUITE("found common practice") {
 
   TEST_CASE("a required safety factor below common practice wants a reason") {
     for (const Practice& p : safeties()) check(p);
+  }
+
+  TEST_CASE("deformations, holes and fits beyond common practice want a reason") {
+    for (const Practice& p : sizes()) check(p);
   }
 
   TEST_CASE("an allowable stress or a strength above common practice wants a reason") {

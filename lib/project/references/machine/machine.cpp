@@ -2,6 +2,7 @@
 
 #include "lib/project/references/agreement/agreement.hpp"
 #include "lib/project/references/drives/drives.hpp"
+#include "lib/project/references/drives/lives.hpp"
 #include "lib/project/references/machine/chained_drives.hpp"
 #include "lib/project/references/machine/idle_steps.hpp"
 #include "lib/project/references/machine/left_out.hpp"

@@ -81,6 +81,8 @@ class RunCheck {
     compare_discs();
     compare_wheels_of_motor();
     if (!(speed_ > 0.0)) return std::move(found_);
+    compare_wheels();
+    compare_end();
     moment_ = largest_input(&is_moment_of_motor, moment_path_);
     for (const std::string& source : steps_named_in(step_.input().reading)) compare_train(source);
     compare_shaft();
@@ -123,7 +125,14 @@ class RunCheck {
       add(speed_path_, say("{1} = {2} is the speed of no shaft of '{3}'; justify it: because.{1} = \"...\"",
                            speed_path_, format_quantity(speed_, "rpm", 4), train));
     if (n == speed_) compare_ratios(train, ratios);
-    compare_motor(train, T);
+    compare_motor(train, ratios.empty() ? torque_of_drive(train) : T);
+  }
+
+  /// The torque of a belt, a chain or a pair that starts at this speed; NaN of others.
+  [[nodiscard]] double torque_of_drive(const std::string& drive) const {
+    const double n_1 = std::abs(magnitude_at(project_, drive + ".n_1"));
+    if (!(std::abs(speed_ - n_1) <= near * n_1)) return std::nan("");
+    return std::abs(magnitude_at(project_, drive + ".P")) / n_1;
   }
 
   /// A part turns as the shaft of the run, or as another one of the train.
@@ -183,6 +192,48 @@ class RunCheck {
                 format_quantity(n, "rpm", 4), wheel, format_quantity(omega, "rpm", 4)));
       }
     }
+  }
+
+  /// A flywheel among the parts turns with the speed that it is calculated for.
+  void compare_wheels() {
+    constexpr double apart = 0.15;  // slip, and the fluctuation within a cycle
+    for (const Operand& operand : step_.input().reading.operands) {
+      if (!operand.path.starts_with("parts") || !operand.path.ends_with(".J") || !operand.expression.is_reference())
+        continue;
+      const std::string wheel = split_step(operand.expression.references().front().path).first;
+      const Step* const source = project_.find(wheel);
+      if (source == nullptr || source->input().calculator == nullptr ||
+          !means(*source->input().calculator, "J", &is_inertia_of_flywheel))
+        continue;
+      const double u = own_value(step_, project_, prefix_of(operand.path) + "u");
+      const double n = speed_ * std::abs(std::isnan(u) ? 1.0 : u);
+      const double omega = std::abs(own_value(*source, project_, "omega"));
+      if (!(std::abs(n - omega) > apart * omega)) continue;
+      add(operand.path, say("the flywheel '{1}' turns with {2} here, and is calculated for {3}: correct u, or "
+                            "because.parts = \"...\"",
+                            wheel, format_quantity(n, "rpm", 4), format_quantity(omega, "rpm", 4)));
+    }
+  }
+
+  /// A start ends where motor and load are near their last speed: a part of it takes less time and heat.
+  void compare_end() {
+    constexpr double least = 0.75;  // of the last speed of both curves
+    const double n_1 = std::abs(own_value(step_, project_, "n_1")), n_2 = std::abs(own_value(step_, project_, "n_2"));
+    if (!(n_2 > (std::isnan(n_1) ? 0.0 : n_1))) return;
+    const double last = std::fmin(last_speed("motor"), last_speed("load"));
+    if (!(n_2 < least * last)) return;
+    add("n_2", say("n_2 = {1}, and the curves of motor and load go on to {2}: give the speed that the machine runs at, "
+                   "or because.n_2 = \"...\"",
+                   format_quantity(n_2, "rpm", 4), format_quantity(last, "rpm", 4)));
+  }
+
+  /// The last speed of a list of points; NaN if it has none.
+  [[nodiscard]] double last_speed(std::string_view list) const {
+    double most = std::nan("");
+    for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf&) {
+      if (path.starts_with(list) && path.ends_with(".n")) most = std::fmax(most, own_value(step_, project_, path));
+    });
+    return most;
   }
 
   /// A run at the speed of another step loads its shaft by the moment of the motor, unless a peak factor covers it.
@@ -300,39 +351,6 @@ std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& proj
     }
   }
   return lower;
-}
-
-namespace {
-
-bool share_one(const std::set<std::string>& a, const std::set<std::string>& b) {
-  return std::any_of(a.begin(), a.end(), [&](const std::string& name) { return b.contains(name); });
-}
-
-double required_life(const Step& step, const Project& project) {
-  return step.input().calculator == nullptr ? std::nan("") : own_value(step, project, "L_h");
-}
-
-}  // namespace
-
-std::vector<ReducedLoad> lives_on_shaft(const Step& step, const Project& project) {
-  const double own = required_life(step, project);
-  if (std::isnan(own)) return {};
-  const std::set<std::string> loading = steps_loading(step.input().reading);
-  std::set<std::string> near = loading;  // and the shafts that carry what loads this step
-  for (const auto& shaft : project.steps) {
-    if (shaft.get() != &step && share_one(steps_loading(shaft->input().reading), loading)) near.insert(shaft->name());
-  }
-  std::vector<ReducedLoad> shorter;
-  for (const auto& other : project.steps) {
-    const double life = required_life(*other, project);
-    if (other.get() == &step || !(life > own * (1.0 + 1e-6))) continue;
-    if (!share_one(steps_loading(other->input().reading), near)) continue;
-    shorter.push_back({"L_h", say("L_h = {1} is shorter than that of '{2}' in the same machine, {3}; justify it: "
-                                  "because.L_h = \"...\"",
-                                  format_quantity(own, "h", 4), other->name(), format_quantity(life, "h", 4))});
-    break;
-  }
-  return shorter;
 }
 
 std::vector<ReducedLoad> values_of_runs(const Step& step, const Project& project) {

@@ -1,5 +1,4 @@
-// A step next to the other steps of the same machine: factors that those which take its loads apply, motors, flywheels,
-// required lives.
+// A step next to the other steps of the same machine: factors that those which take its loads apply, motors, flywheels.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -10,9 +9,6 @@ namespace loadpath::project {
 
 /// Application and partial factors that are higher in a step which takes a load of this one.
 std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& project);
-
-/// A required life that is shorter than that of another part on the same shaft: bearings, and the teeth of its gears.
-std::vector<ReducedLoad> lives_on_shaft(const Step& step, const Project& project);
 
 /// Inputs of a run of a drive that need a reason: a speed that no shaft has, a motor that is too strong for the shaft,
 /// parts without a flywheel at this speed.

@@ -15,6 +15,7 @@ namespace loadpath::project {
 namespace {
 
 const Dimension force = Dimension::of(1, 1, -2);
+constexpr double of_aluminium = 2700.0;  // kg/m^3, of a bar of unknown density
 
 /// The key under which a mechanism has the crank angles that it is solved at, in place of a revolution.
 constexpr std::string_view given_angles = "crank.at";
@@ -127,6 +128,27 @@ void compare_typed_forces(const Step& step, const Project& project, std::vector<
   }
 }
 
+/// The mass of a link in its mechanism, next to the bar that is assessed with its load: the bar alone has half of its
+/// volume at least, without the bores of its eyes.
+void compare_masses(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double least = 0.5;
+  for (const Taken& record : step.input().reading.records) {
+    const auto [name, rest] = split_step(record.source);
+    const Step* const mechanism = project.find(name);
+    if (record.path != "load" || !rest.starts_with("links.") || mechanism == nullptr || mechanism == &step) continue;
+    if (mechanism->input().calculator == nullptr || mechanism->input().reading.record.data == nullptr) continue;
+    const double mass = own_value(*mechanism, project, rest + ".mass");
+    const double volume =
+        own_value(step, project, "b") * own_value(step, project, "h") * magnitude_at(project, step.name() + ".l");
+    const double rho = magnitude_at(project, step.name() + ".rho");
+    const double bar = volume * (std::isnan(rho) ? of_aluminium : rho);
+    if (!(mass > 0.0 && mass < least * bar)) continue;
+    found.push_back({record.path, say("'{1}' has a mass of {2}, and this bar one of {3}: correct it, or {4} = \"...\"",
+                                      record.source, format_quantity(mass, "kg", 3), format_quantity(bar, "kg", 3),
+                                      because_key(record.path))});
+  }
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> loads_of_mechanism(const Step& step, const Project& project) {
@@ -135,6 +157,7 @@ std::vector<ReducedLoad> loads_of_mechanism(const Step& step, const Project& pro
   compare_parts_of_turn(step, project, found);
   compare_load_cases(step, project, found);
   compare_typed_forces(step, project, found);
+  compare_masses(step, project, found);
   return found;
 }
 

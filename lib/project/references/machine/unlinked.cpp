@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 
@@ -152,6 +153,40 @@ void compare_density(const Step& step, const Project& project, std::vector<Reduc
                               format_quantity(rho, "kg/m^3", 4), format_quantity(E, "GPa", 4))});
 }
 
+/// A typed yield strength that the tensile strength of the material at this size does not reach.
+void compare_yield(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  if (!step.input().reading.typed.contains("R_e") || step.input().reading.typed.contains("R_m")) return;
+  if (material_of(step).empty() || find_field(step.input().calculator->input->fields, "R_m") == nullptr) return;
+  const double R_e = own_value(step, project, "R_e"), R_m = magnitude_at(project, step.name() + ".R_m");
+  if (!(R_e > R_m)) return;
+  found.push_back({"R_e", say("R_e = {1} is above the tensile strength of '{2}' at this size, {3}; justify it: "
+                              "because.R_e = \"...\"",
+                              format_quantity(R_e, "MPa", 4), material_of(step), format_quantity(R_m, "MPa", 4))});
+}
+
+/// A rim whose moment of inertia no wheel of its diameter has: a steel cylinder as wide as its diameter is lighter.
+void compare_rim(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double steel = 7850.0;
+  const double D = own_value(step, project, "D"), m = magnitude_at(project, step.name() + ".m_rim");
+  const double most = steel * std::numbers::pi / 4.0 * D * D * D;
+  if (!(m > most)) return;
+  found.push_back(
+      {"D", say("a rim of D = {1} would need a mass of {2} for this moment of inertia, and a steel cylinder "
+                "as wide as D has {3}: give a larger D, or because.D = \"...\"",
+                format_quantity(D, "mm", 4), format_quantity(m, "kg", 4), format_quantity(most, "kg", 4))});
+}
+
+/// "9.81 mm/s^2": weights of a machine that are none.
+void compare_gravity(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double least = 9.7, most = 9.9;  // m/s^2, on Earth
+  if (!step.input().reading.typed.contains("gravity")) return;
+  const double g = std::abs(own_value(step, project, "gravity"));
+  if (!(g > 0.0) || (g >= least && g <= most)) return;
+  found.push_back({"gravity", say("gravity = {1} is not that of the Earth, 9.81 m/s^2; justify it: because.gravity = "
+                                  "\"...\"",
+                                  format_quantity(g, "m/s^2", 4))});
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> values_of_unlinked(const Step& step, const Project& project) {
@@ -163,6 +198,9 @@ std::vector<ReducedLoad> values_of_unlinked(const Step& step, const Project& pro
   compare_hoist(step, project, found);
   compare_size(step, project, found);
   compare_density(step, project, found);
+  compare_yield(step, project, found);
+  compare_rim(step, project, found);
+  compare_gravity(step, project, found);
   return found;
 }
 

@@ -30,13 +30,42 @@ double least_factor(const Step& step, const Project& project) {
 
 }  // namespace
 
+namespace {
+
+/// A column with the length of a frame's member, without its effective length factor, which is above that of the ends.
+void compare_factor(const Step& step, const Operand& length, const Step& source, const Project& project,
+                    std::vector<ReducedLoad>& found) {
+  const auto takes_factor = [&](const Operand& operand) {
+    const auto& references = operand.expression.references();
+    return std::ranges::any_of(references, [&](const auto& one) { return one.path == source.name() + ".beta"; });
+  };
+  if (std::ranges::any_of(step.input().reading.operands, takes_factor)) return;
+  const double there = magnitude_at(project, source.name() + ".beta");
+  double own = std::nan("");
+  for (const char* const key : {"beta_y", "beta_z"}) {
+    const double typed = own_value(step, project, key), known = magnitude_at(project, step.name() + "." + key);
+    own = std::fmax(own, std::isnan(typed) ? known : typed);
+  }
+  const double here = std::isnan(own) ? 1.0 : own;
+  if (!(there > (1.0 + 1e-3) * here)) return;
+  found.push_back({length.path, say("'{1}' has the effective length factor {2}, and this column {3}: give beta_y or "
+                                    "beta_z = \"={1}.beta\", or because.{4} = \"...\" if it is braced",
+                                    source.name(), format_number(there, 4), format_number(here, 4), length.path)});
+}
+
+}  // namespace
+
 std::vector<ReducedLoad> lengths_of_columns(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
   if (find_field(step.input().calculator->input->fields, "ends") == nullptr) return found;
   for (const Operand& operand : step.input().reading.operands) {
-    if (operand.path != "l" || operand.expression.is_reference()) continue;
+    if (operand.path != "l") continue;
     const Step* const source = effective_length_in(operand, project);
     if (source == nullptr) continue;
+    if (operand.expression.is_reference()) {
+      compare_factor(step, operand, *source, project, found);
+      continue;
+    }
     const double l = own_value(step, project, "l") * least_factor(step, project);
     const double s = magnitude_at(project, source->name() + ".s");
     if (!(l < (1.0 - 1e-3) * s)) continue;

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -182,10 +184,81 @@ class LugCheck {
   std::array<std::string, 2> links_;
 };
 
+bool is_pin_joint(const Step& step) {
+  return step.input().calculator != nullptr && step.input().calculator->id == std::string_view("pin.joint");
+}
+
+/// The values of [values] in the force of a step, of one dimension: the forces, or the factors without one.
+std::set<std::string> shared_in_force(const Step& step, const Project& project, const Dimension& dimension) {
+  std::set<std::string> all;
+  const auto add = [&](const std::string& path) {
+    const Value* const value = path.starts_with("values.") ? project.values.fixed(path.substr(7)) : nullptr;
+    if (value != nullptr && value->signature.dimension == dimension) all.insert(path);
+  };
+  const auto& reading = step.input().reading;
+  if (const auto typed = reading.typed.find("F"); typed != reading.typed.end()) add(typed->second.shared);
+  if (const Operand* const force = operand_at(step, "F"); force != nullptr) {
+    for (const auto& reference : force->expression.references()) add(reference.path);
+  }
+  return all;
+}
+
+const Dimension of_force = Dimension::of(1, 1, -2), of_number = Dimension::of(0, 0, 0);
+
+/// The only pin joint of a file, where a lug with its load from the same value of [values] does not refer to it.
+const Step* pin_of_lug(const Step& lug, const Project& project) {
+  const Step* pin = nullptr;
+  for (const auto& step : project.steps) {
+    if (is_pin_joint(*step) && std::exchange(pin, step.get()) != nullptr) return nullptr;
+  }
+  if (pin == nullptr || pin->input().reading.record.data == nullptr) return nullptr;
+  for (const Taken& record : lug.input().reading.records) {
+    if (split_step(record.source).first == pin->name()) return nullptr;
+  }
+  const auto own = shared_in_force(lug, project, of_force), there = shared_in_force(*pin, project, of_force);
+  return !own.empty() && own == there ? pin : nullptr;
+}
+
+/// Diameter and force of a lug next to those of the pin in it.
+std::vector<ReducedLoad> lug_of_pin(const Step& lug, const Project& project) {
+  constexpr double as_typed = 1e-3, play = 0.1;
+  const Step* const pin = pin_of_lug(lug, project);
+  if (pin == nullptr) return {};
+  const double d = own_value(lug, project, "d"), of_pin = own_value(*pin, project, "d");
+  if (std::abs(d - of_pin) > play * of_pin)
+    return {{"d", say("d = {1}, and the pin '{2}' of the same load has {3}: take load = \"={2}.eye\" or "
+                      "\"={2}.cheek\", or because.d = \"...\"",
+                      format_quantity(d, "mm", 4), pin->name(), format_quantity(of_pin, "mm", 4))}};
+  const double F = std::abs(own_value(lug, project, "F")), there = std::abs(own_value(*pin, project, "F"));
+  const double t = own_value(lug, project, "t"), t_1 = own_value(*pin, project, "t_1");
+  if (!(std::abs(t - t_1) <= as_typed * t_1) || !(F < (1.0 - as_typed) * there)) return {};
+  return {{"F", say("F = {1}, and the pin '{2}' in this eye carries {3}: take load = \"={2}.eye\", or because.F = "
+                    "\"...\"",
+                    format_quantity(F, "kN", 4), pin->name(), format_quantity(there, "kN", 4))}};
+}
+
+/// Force of a pin next to that of a lug, which has a factor of [values] that the pin does not have.
+std::vector<ReducedLoad> pin_of_lugs(const Step& pin, const Project& project) {
+  constexpr double as_typed = 1e-3;
+  for (const auto& lug : project.steps) {
+    if (!is_lug(*lug) || pin_of_lug(*lug, project) != &pin) continue;
+    const double F = std::abs(own_value(pin, project, "F")), there = std::abs(own_value(*lug, project, "F"));
+    const auto factors = shared_in_force(*lug, project, of_number), own = shared_in_force(pin, project, of_number);
+    if (!(F < (1.0 - as_typed) * there) || std::ranges::includes(own, factors)) continue;
+    return {{"F", say("F = {1}, and the lug '{2}' of this pin carries {3}; justify it: because.F = \"...\"",
+                      format_quantity(F, "kN", 4), lug->name(), format_quantity(there, "kN", 4))}};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> forces_across_lugs(const Step& step, const Project& project) {
-  return is_lug(step) || has_plates(step) ? LugCheck(step, project).run() : std::vector<ReducedLoad>{};
+  if (is_pin_joint(step)) return pin_of_lugs(step, project);
+  if (!is_lug(step) && !has_plates(step)) return {};
+  std::vector<ReducedLoad> found = LugCheck(step, project).run();
+  if (!found.empty() || !is_lug(step)) return found;
+  return lug_of_pin(step, project);
 }
 
 }  // namespace loadpath::project

@@ -207,4 +207,23 @@ TEST_SUITE("found names of stated values") {
     CHECK(is_held("R_e = \"200 MPa\"", shaft, "shaft", "yield"));
     CHECK_FALSE(is_held("R_e = \"900 MPa\"", shaft, "shaft", "yield"));
   }
+
+  TEST_CASE("a gauge pressure below zero is a vacuum, and a density with a level is a liquid") {
+    CHECK(is_held("p_min = \"-0.08 MPa\"", shell, "shell", "strength"));
+    CHECK(!is_held("p_min = \"0.2 MPa\"", shell, "shell", "strength"));
+    CHECK(is_held("rho = \"1000 kg/m^3\"\nH = \"12 m\"", shell, "shell", "strength"));
+    CHECK(!is_held("H = \"12 m\"", shell, "shell", "strength"));
+  }
+
+  TEST_CASE("loads of a column under other names: eccentricity, moment, stroke, partial factor") {
+    const std::string post =
+        "[post]\ncalculator = \"column.buckling\"\nP = \"60 kN\"\nl = \"2 m\"\nends = \"pinned_pinned\"\nsection = "
+        "\"HEA 140\"\nmaterial = \"S235\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1.35\n";
+    for (const char* const values :
+         {"e = \"40 mm\"", "M = \"5 kN*m\"", "stroke = \"2.5 m\"", "gamma_p = 1.5", "gamma_Q = 1.5"})
+      CHECK_MESSAGE(is_held(values, post, "post", "buckling"), values);
+    for (const char* const values :
+         {"e_bolts = \"40 mm\"", "M_frame = \"5 kN*m\"", "stroke = \"0.5 m\"", "gamma_G = 1.35", "gamma_M2 = 1.5"})
+      CHECK_MESSAGE(!is_held(values, post, "post", "buckling"), values);
+  }
 }

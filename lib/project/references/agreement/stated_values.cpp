@@ -52,7 +52,7 @@ class StatedCheck {
       if (dimension.is_number()) compare_peak(stated), compare_repetitions(stated);
       if (dimension == heat) compare_temperature(stated);
       if (is_geometry_of_teeth()) compare_load(stated, dimension.without_angle());
-      if (dimension == pressure && is_of_vacuum(name)) compare_vacuum(stated);
+      if (dimension == pressure && (is_of_vacuum(name) || is_below_atmosphere(stated))) compare_vacuum(stated);
       if (dimension == duration && is_of_life(name)) compare_life(stated);
       compare_same_name(stated, dimension);
     }
@@ -276,6 +276,12 @@ class StatedCheck {
         say("values.{1} = {2} acts on no step, and strengths at room temperature apply up to {3}: give the strength "
             "at this temperature or T, or because.{4} = \"...\"",
             stated.name, format_quantity(stated.si, "degC", 4), format_quantity(most, "degC", 4), key));
+  }
+
+  /// "p_min = -0.08 MPa": a gauge pressure.
+  [[nodiscard]] static bool is_below_atmosphere(const Stated& stated) {
+    constexpr double least = -0.11e6;  // Pa, a full vacuum as a round number
+    return stated.si < 0.0 && stated.si >= least && has_word(stated.name, {"p", "pressure", "suction"});
   }
 
   [[nodiscard]] bool is_vacuum_assessed() const {

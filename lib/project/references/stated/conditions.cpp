@@ -37,9 +37,9 @@ class Conditions {
       const double si = value.si.front();
       if (dimension.is_number()) compare_number(name, si);
       if (dimension.without_angle() == rate) compare_overspeed(name, std::abs(si));
-      if (dimension == length && si != 0.0) compare_opening(name);
+      if (dimension == length && si != 0.0) compare_opening(name), compare_level(name);
       if (dimension == pressure) compare_residual(name, si);
-      if (dimension == heat) compare_cold(name, si);
+      if (dimension == heat) compare_cold(name, si), compare_heating(name, si);
       if (dimension == pressure) compare_limit_of_pressure(name, std::abs(si));
       if (si != 0.0 && is_of_surroundings(name)) compare_loading(name);
       if (dimension == duration && is_of_life(name)) compare_life(name, si);
@@ -100,9 +100,14 @@ class Conditions {
 
   /// "gamma_Q = 1.5" next to gamma_F = 1.
   void compare_partial(const std::string& name, double si) {
-    if (name != "gamma_Q" && name != "gamma_G" && name != "gamma_load") return;
+    if (!is_partial_of_load(name)) return;
     if (field("gamma_F") == nullptr || !(si > (1.0 + in_few_digits) * own("gamma_F"))) return;
     add_number(name, si, "gamma_F", own("gamma_F"));
+  }
+
+  /// A partial factor of an action: those of resistances are gamma_M, gamma_R.
+  [[nodiscard]] static bool is_partial_of_load(std::string_view name) {
+    return name.starts_with("gamma_") && !name.starts_with("gamma_M") && !name.starts_with("gamma_R");
   }
 
   /// A factor of the load of a part without an application factor, or with 1: "phi = 1.15" of a crane.
@@ -114,8 +119,8 @@ class Conditions {
                            has_word(name, {"factor", "coefficient", "allowance", "phi", "psi", "f", "k"}) &&
                            has_only_words(name, {"impact", "shock", "dynamic", "dyn", "gust", "surge", "overload",
                                                  "factor", "coefficient", "allowance", "phi", "psi", "f", "k", "load"});
-    const bool is_one =
-        is_factor || std::ranges::find(names, std::string_view(name)) != names.end() || (name == "f" && is_pin());
+    const bool is_one = is_factor || std::ranges::find(names, std::string_view(name)) != names.end() ||
+                        (name == "f" && is_pin()) || (is_partial_of_load(name) && field("gamma_F") == nullptr);
     if (!is_one || !(si > 1.0 + in_few_digits && si <= most) || own("K_A") > 1.0 || own("gamma_F") > 1.0) return;
     const std::string key = typed_load();
     if (key.empty()) return;
@@ -154,9 +159,7 @@ class Conditions {
   void compare_loading(const std::string& name) {
     const std::string key = typed_load();
     if (key.empty()) return;
-    add(key, say("values.{1} is not used by any step: include it in a load, delete it, or justify it: because.{2} = "
-                 "\"...\"",
-                 name, key));
+    add_unused(name, key);
   }
 
   /// A relief, set or test pressure above that of a wall. A relief valve may be named by where it opens fully, up to
@@ -257,6 +260,39 @@ class Conditions {
     add("n", say("values.{1} = {2} acts on no step, and n is {3}: refer to it, delete it, or justify it: because.n = "
                  "\"...\"",
                  name, format_quantity(si, "rpm", 5), format_quantity(here, "rpm", 5)));
+  }
+
+  /// The density and the level of a liquid, next to a wall that holds none.
+  void compare_level(const std::string& name) {
+    const bool is_level =
+        name == "H" || name == "h" || has_word(name, {"level", "height", "fill", "filling", "liquid"});
+    constexpr double lightest = 300.0, heaviest = 3000.0;  // kg/m^3, of liquids and suspensions
+    const bool has_density = std::ranges::any_of(project_.values.unused(), [](const auto& entry) {
+      const double si = entry.second.si.front();
+      return entry.second.signature.dimension == Dimension::of(-3, 1, 0) && si > lightest && si < heaviest;
+    });
+    const bool is_held =
+        std::ranges::any_of(project_.steps, [&](const auto& one) { return own_value(*one, project_, "h_l") > 0.0; });
+    if (!is_level || !has_density || field("h_l") == nullptr || field("rho") == nullptr || is_held) return;
+    add("p", say("values.{1} and a density act on no step: give rho and h_l, delete them, or justify it: because.p = "
+                 "\"...\"",
+                 name));
+  }
+
+  void add_unused(const std::string& name, const std::string& key) {
+    add(key, say("values.{1} is not used by any step: include it in a load, delete it, or justify it: because.{2} = "
+                 "\"...\"",
+                 name, key));
+  }
+
+  /// A warm room around a gear that may get hotter than it by dT_adm: oils of gears bear up to 100 degC, from memory.
+  void compare_heating(const std::string& name, double si) {
+    constexpr double most = 373.15;
+    const bool is_of_room = has_word(name, {"ambient", "room", "hall", "air"});
+    if (!is_of_room || id_ != "gear.worm" || !(si + own("dT_adm") > most + 0.01)) return;
+    add("dT_adm", say("values.{1} = {2} acts on no step, and with dT_adm the oil reaches {3}: lower dT_adm, or justify "
+                      "it: because.dT_adm = \"...\"",
+                      name, format_quantity(si, "degC", 4), format_quantity(si + own("dT_adm"), "degC", 4)));
   }
 
   /// A nozzle or a manhole of a vessel, whose reinforcement is assessed elsewhere; holes of a disc.

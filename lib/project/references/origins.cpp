@@ -5,6 +5,7 @@
 #include "lib/project/modes.hpp"
 #include "lib/project/references/notches.hpp"
 #include "lib/project/references/references.hpp"
+#include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/table/tables.hpp"
 
@@ -204,7 +205,7 @@ class OriginCheck {
   }
 
   void compare_materials(const std::string& path, const Step& source, const std::string& limit) {
-    const std::string own = material_of(step_), theirs = material_of(source);
+    const std::string own = named_material(step_, project_), theirs = named_material(source, project_);
     if (own.empty() || theirs.empty() || own == theirs) return;
     add(path, say("'{2}' is a fatigue limit of {3}, and the material here is {4}: because.{1} = \"...\"", path, limit,
                   theirs, own));

@@ -206,4 +206,16 @@ void for_each_compared(const StepInput& step, const std::function<void(const std
   }
 }
 
+std::string named_material(const Step& step, const Project& project) {
+  const auto row = step.input().rows.find("material");
+  const bool is_named = row != step.input().rows.end() && !row->second.text.empty();
+  if (is_named && row->second.text[0] != '=') return row->second.text;
+  for (const Taken& taken : step.input().reading.taken) {
+    const auto [name, rest] = split_step(taken.source);
+    const Step* const source = taken.path == "material" && rest == "material" ? project.find(name) : nullptr;
+    if (source != nullptr && source != &step) return named_material(*source, project);
+  }
+  return step.word("material");
+}
+
 }  // namespace loadpath::project

@@ -13,6 +13,8 @@
 
 namespace loadpath::project {
 
+struct Project;
+
 /// A step that values are taken from, and the element of its list.
 struct Source {
   std::string step;
@@ -57,5 +59,8 @@ std::string path_of_reversal(const std::string& load);
 
 /// Paths in other steps that inputs of this one are compared with: of records that have them too, and of sources.
 void for_each_compared(const StepInput& step, const std::function<void(const std::string& path)>& visit);
+
+/// The material of a step, typed or taken from another step; empty if it has none.
+std::string named_material(const Step& step, const Project& project);
 
 }  // namespace loadpath::project

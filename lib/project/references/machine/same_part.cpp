@@ -141,16 +141,10 @@ class PartCheck {
     return here == "d" && is_outer_diameter(there) && !own_bore(prefix_of(size.operand->path)).empty();
   }
 
-  /// Typed, or taken from another step.
-  static std::string named_material(const Step& step) {
-    const std::string typed = material_of(step);
-    return typed.empty() || typed.starts_with('=') ? step.word("material") : typed;
-  }
-
   /// The material of a connection is that of its hub.
   void compare_material(const std::string& path, const Step& source) {
     if (connects(step_) || connects(source)) return;
-    const std::string own = named_material(step_), theirs = named_material(source);
+    const std::string own = named_material(step_, project_), theirs = named_material(source, project_);
     if (!own.empty() && !theirs.empty() && own != theirs) {
       add(path, say("'{2}' is made of {3}, but this step uses {4} for the same part: because.{1} = \"...\"", path,
                     source.name(), theirs, own));

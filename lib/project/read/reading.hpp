@@ -8,6 +8,7 @@
 #include "lib/sweep/point/distribution.hpp"
 #include "lib/toml/tree.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>
@@ -15,6 +16,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace loadpath::project {
@@ -108,6 +110,12 @@ struct Reading {
   std::set<std::string> faulty;        // top-level fields with an error: consequences for others are not reported
   std::vector<std::shared_ptr<const Axis>> axes;  // axes of series read from files
   Place place;                                    // place of the table
+
+  /// That of a path within the step; null if a number, or nothing, is typed there.
+  [[nodiscard]] const Operand* operand(std::string_view path) const {
+    const auto at = std::ranges::find(operands, path, &Operand::path);
+    return at == operands.end() ? nullptr : &*at;
+  }
 };
 
 /// "=30 mm": the number as typed without the '='; nothing if the text refers to something, or is not an expression.

@@ -363,9 +363,8 @@ double value_of(const Operand& operand, const Project& project) {
 bool has_reversed_ratio(const Step& step, const std::string& beside, const Project& project) {
   const Reading& reading = step.input().reading;
   const std::string path = beside + "r";
-  const auto is_it = [&](const Operand& operand) { return operand.path == path; };
-  const auto operand = std::find_if(reading.operands.begin(), reading.operands.end(), is_it);
-  if (operand != reading.operands.end()) return operand->early == -1.0 || value_of(*operand, project) == -1.0;
+  if (const Operand* const operand = reading.operand(path))
+    return operand->early == -1.0 || value_of(*operand, project) == -1.0;
   const Leaf r = find_leaf(reading.record, path);
   return r && r.get() == -1.0;
 }

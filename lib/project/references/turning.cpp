@@ -65,12 +65,6 @@ class Share {
   std::map<std::string, Value> raised_;
 };
 
-const Operand* operand_at(const Step& step, const std::string& path) {
-  const auto& all = step.input().reading.operands;
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Operand& o) { return o.path == path; });
-  return found == all.end() ? nullptr : &*found;
-}
-
 /// Whether the other inputs of the cycle make it symmetric: r = -1, the other end, the amplitude or the mean.
 bool is_reversed(const Step& step, const Operand& operand, const Project& project) {
   const std::string beside = prefix_of(operand.path);
@@ -78,7 +72,7 @@ bool is_reversed(const Step& step, const Operand& operand, const Project& projec
   Share share(project);
   const double own = share.of(operand);
   const auto share_of = [&](const char* key) {
-    const Operand* const other = operand_at(step, beside + key);
+    const Operand* const other = step.input().reading.operand(beside + key);
     return other == nullptr ? 0.0 : share.of(*other);
   };
   const auto is = [&](double a, double b) { return std::abs(a - b) <= 0.02 * std::abs(own); };

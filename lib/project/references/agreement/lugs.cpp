@@ -31,15 +31,9 @@ bool has_plates(const Step& step) {
 /// The input of a pin joint that is the thickness of this part of it.
 std::string thickness_of(const std::string& part) { return part == "eye" ? "t_1" : part == "cheek" ? "t_2" : ""; }
 
-const Operand* operand_at(const Step& step, std::string_view path) {
-  const auto& operands = step.input().reading.operands;
-  const auto at = std::ranges::find_if(operands, [&](const Operand& one) { return one.path == path; });
-  return at == operands.end() ? nullptr : &*at;
-}
-
 /// "press.joints.A" of "press.joints.A.F"; empty of anything else.
 std::string joint_of(const Step& step) {
-  const Operand* const force = operand_at(step, "F");
+  const Operand* const force = step.input().reading.operand("F");
   if (force == nullptr || force->expression.references().empty()) return {};
   const std::string& path = force->expression.references().front().path;
   const bool is_of_joint = split_step(path).second.starts_with("joints.") && path.ends_with(".F");
@@ -119,7 +113,7 @@ class LugCheck {
 
   /// The link whose step of link.member an input takes its value from; negative if none is.
   [[nodiscard]] int link_behind(const Step& step, const std::string& key) const {
-    const Operand* const operand = key.empty() ? nullptr : operand_at(step, key);
+    const Operand* const operand = key.empty() ? nullptr : step.input().reading.operand(key);
     if (operand == nullptr) return -1;
     for (const auto& reference : operand->expression.references()) {
       const Step* const bar = project_.find(split_step(reference.path).first);
@@ -197,7 +191,7 @@ std::set<std::string> shared_in_force(const Step& step, const Project& project, 
   };
   const auto& reading = step.input().reading;
   if (const auto typed = reading.typed.find("F"); typed != reading.typed.end()) add(typed->second.shared);
-  if (const Operand* const force = operand_at(step, "F"); force != nullptr) {
+  if (const Operand* const force = step.input().reading.operand("F"); force != nullptr) {
     for (const auto& reference : force->expression.references()) add(reference.path);
   }
   return all;

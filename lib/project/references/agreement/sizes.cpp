@@ -24,10 +24,9 @@ const Step* calculated_step(const Project& project, const std::string& name) {
 /// A fatigue limit for a smaller rectangle than the part whose cycle it is compared with: its size factor is higher.
 void compare_rectangle(const Step& life, const Project& project, std::vector<ReducedLoad>& found) {
   const auto& reading = life.input().reading;
-  const auto limit = std::ranges::find(reading.operands, "sigma_D", &Operand::path);
+  const Operand* const limit = reading.operand("sigma_D");
   const auto cycle = std::ranges::find(reading.records, "cycle", &Taken::path);
-  if (limit == reading.operands.end() || limit->expression.references().size() != 1 || cycle == reading.records.end())
-    return;
+  if (limit == nullptr || limit->expression.references().size() != 1 || cycle == reading.records.end()) return;
   const Step* const source = calculated_step(project, split_step(limit->expression.references().front().path).first);
   const Step* const part = calculated_step(project, split_step(cycle->source).first);
   if (source == nullptr || part == nullptr || source == part) return;

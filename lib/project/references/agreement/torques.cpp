@@ -18,10 +18,7 @@ constexpr double equal_torques = 1e-3;  // of a torque that is typed twice
 bool is_typed(const Step& step, const char* key) { return step.input().reading.typed.contains(key); }
 
 /// Whether the torque is a number of this step, not a value of another one.
-bool types_torque(const Step& step) {
-  const auto& operands = step.input().reading.operands;
-  return is_typed(step, "T") && std::ranges::none_of(operands, [](const Operand& one) { return one.path == "T"; });
-}
+bool types_torque(const Step& step) { return is_typed(step, "T") && step.input().reading.operand("T") == nullptr; }
 
 /// A connection of a shaft that leaves both the application factor and the peak torque to their defaults.
 bool leaves_out_factor(const Step& step) {

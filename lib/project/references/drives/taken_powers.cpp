@@ -23,21 +23,16 @@ std::string speed_of(const std::string& power) {
   return key == "P" && at.ends_with("].") ? at + "n" : std::string();
 }
 
-const Operand* operand_at(const Step& step, std::string_view path) {
-  const auto& operands = step.input().reading.operands;
-  const auto at = std::ranges::find(operands, path, &Operand::path);
-  return at == operands.end() ? nullptr : &*at;
-}
-
 }  // namespace
 
 std::vector<ReducedLoad> speeds_of_taken_powers(const Step& step, const Project& project) {
-  const Operand* const power = operand_at(step, "P");
+  const Operand* const power = step.input().reading.operand("P");
   if (power == nullptr || !power->expression.is_reference()) return {};
   const std::string source = power->expression.references().front().path, path = speed_of(source);
   if (path.empty()) return {};
   const std::string key = std::isnan(own_value(step, project, "n_1")) ? "n" : "n_1";
-  if (const Operand* const speed = operand_at(step, key); speed != nullptr && speed->expression.is_reference()) {
+  if (const Operand* const speed = step.input().reading.operand(key);
+      speed != nullptr && speed->expression.is_reference()) {
     const std::string& taken = speed->expression.references().front().path;
     if (taken.ends_with("].n") && split_step(taken).first == split_step(source).first) return {};  // losses left out
   }

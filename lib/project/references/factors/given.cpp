@@ -35,20 +35,15 @@ bool carries_factors(const FieldInfo& field) {
 bool is_peak(const Operand& operand) { return operand.path == "T_max"; }
 
 bool is_given(const StepInput& step, const std::string& key) {
-  return step.reading.typed.contains(key) || std::any_of(step.reading.operands.begin(), step.reading.operands.end(),
-                                                         [&](const Operand& o) { return o.path == key; });
+  return step.reading.typed.contains(key) || is_expression(step, key);
 }
 
-bool is_expression(const StepInput& step, const std::string& key) {
-  return std::any_of(step.reading.operands.begin(), step.reading.operands.end(),
-                     [&](const Operand& operand) { return operand.path == key; });
-}
+bool is_expression(const StepInput& step, const std::string& key) { return step.reading.operand(key) != nullptr; }
 
 double given_factor(const Project& project, const StepInput& step, const std::string& key) {
   const auto known = [&](const std::string& path) -> const Value& { return value_at(project, path); };
-  for (const Operand& operand : step.reading.operands) {
-    if (operand.path != key) continue;
-    const std::vector<double> si = operand.expression.evaluate(known).si;
+  if (const Operand* const operand = step.reading.operand(key)) {
+    const std::vector<double> si = operand->expression.evaluate(known).si;
     const bool waits = std::any_of(si.begin(), si.end(), [](double x) { return std::isnan(x); });
     return waits ? std::numeric_limits<double>::quiet_NaN() : applied_factor(si);
   }
@@ -64,9 +59,7 @@ double largest_of(const Project& project, const Operand& operand) {
 }
 
 double largest_given(const Project& project, const StepInput& step, const std::string& key) {
-  for (const Operand& operand : step.reading.operands) {
-    if (operand.path == key) return largest_of(project, operand);
-  }
+  if (const Operand* const operand = step.reading.operand(key)) return largest_of(project, *operand);
   const double typed = find_leaf(step.reading.record, key).get();
   return std::isnan(typed) ? 0.0 : typed;
 }

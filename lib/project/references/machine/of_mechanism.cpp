@@ -107,8 +107,7 @@ void compare_typed_forces(const Step& step, const Project& project, std::vector<
     const std::string& path = entry.first;
     if (path.find_first_of(".[") != std::string::npos) continue;  // first: a mechanism has thousands of them
     const Leaf leaf = find_leaf(step.input().reading.record, path);
-    const auto& operands = step.input().reading.operands;
-    const bool is_taken = std::ranges::any_of(operands, [&](const Operand& o) { return o.path == path; });
+    const bool is_taken = step.input().reading.operand(path) != nullptr;
     const bool is_force = leaf && leaf.field->is_load && leaf.field->dimension == force;
     if (is_force && !is_taken) typed.push_back(path);
   }

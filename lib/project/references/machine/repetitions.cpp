@@ -15,12 +15,8 @@ constexpr const char* history = "sigma";  // of a step that counts its cycles, n
 
 const Operand* operand_of(const Step& step, const std::string& path) {
   const auto& whole = step.input().reading.whole;
-  const auto& operands = step.input().reading.operands;
-  const auto is_it = [&](const Operand& operand) { return operand.path == path; };
-  const auto found = std::ranges::find_if(whole, is_it);
-  if (found != whole.end()) return &*found;
-  const auto single = std::ranges::find_if(operands, is_it);
-  return single == operands.end() ? nullptr : &*single;
+  const auto found = std::ranges::find(whole, path, &Operand::path);
+  return found != whole.end() ? &*found : step.input().reading.operand(path);
 }
 
 /// "force.csv", or the path of the series that it is computed from: "press.links.rod.N"; empty if it is typed.

@@ -78,10 +78,9 @@ void compare_mate(const Step& step, const Project& project, std::vector<ReducedL
 /// A fatigue limit in bending of a stress that is mainly axial: the limit in tension is lower.
 void compare_loading(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   const auto& reading = step.input().reading;
-  const auto limit = std::ranges::find(reading.operands, "sigma_D", &Operand::path);
+  const Operand* const limit = reading.operand("sigma_D");
   const auto cycle = std::ranges::find(reading.records, "cycle", &Taken::path);
-  if (limit == reading.operands.end() || limit->expression.references().size() != 1 || cycle == reading.records.end())
-    return;
+  if (limit == nullptr || limit->expression.references().size() != 1 || cycle == reading.records.end()) return;
   const Step* const source = project.find(split_step(limit->expression.references().front().path).first);
   if (source == nullptr || source->input().reading.record.data == nullptr) return;
   const Leaf loading = find_leaf(source->input().reading.record, "loading");

@@ -3,11 +3,15 @@
 
 Changes one sign, constant or comparison at a random place of the sources, builds, runs the tests until one fails, and
 puts the place back. A mutant that every test passes is a hole in the tests, unless it computes the same. Two of three
-mutants are made in the formulas of STEP, the others in plain code.
+mutants are made in the formulas of STEP, the others in plain code. With --rules, all are made in the fold of verdicts
+and in the rules of kinds, which are conditions and tables: a condition negated, an early return left out, a row
+dropped, an enumerator in place of another one.
 
 Run it in a clean checkout with a build of the tests; an unoptimised one is built fastest:
   cmake -G Ninja -B build/mutants -DCMAKE_BUILD_TYPE=Debug && scripts/mutate.py --build build/mutants --seed 1
   scripts/mutate.py --build build/mutants --only 'lib/account/*,lib/project/references/*'
+  scripts/mutate.py --build build/mutants --rules --count 40
+A mutant may have a warning ("&&" within "||"), so a build for --rules is configured with -DCMAKE_CXX_FLAGS=-w.
 Ctrl-C and SIGTERM leave the sources as they were.
 """
 import argparse
@@ -28,6 +32,16 @@ SIGN = re.compile(r'(?<= )[+-](?= )')
 CONSTANT = re.compile(r'(?<![\w.])\d+\.\d+(?![\w.])')
 COMPARISON = re.compile(r'(?<= )[<>](?= )')
 OTHER = {'+': '-', '-': '+', '<': '>', '>': '<'}
+# What decides in a rule. A value or a function behind the colons of a class is no enumerator.
+OPERATOR = re.compile(r'(?<= )(==|!=|&&|\|\||<=|>=)(?= )')
+OTHER_OPERATOR = {'==': '!=', '!=': '==', '&&': '||', '||': '&&', '<=': '<', '>=': '>'}
+CONDITION = re.compile(r'\bif \(')
+EARLY = re.compile(r'\s*(return|continue|break)\b')
+LIST = re.compile(r'(\bstd::array\b[^;={}()]*|\bfor \([^;{}()]*:\s*)\{+')
+ENUMERATOR = re.compile(r'(?<![&\w])((?:\w+::)*[A-Z]\w*)::([a-z]\w*)\b(?![(<{]|::)')
+UNREAD = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|^\s*(?:#|static_assert|case )[^\n]*', re.M)
+RULES = ('lib/account/*', 'lib/quantity/kinds.cpp', 'lib/quantity/expression/kinds.cpp', 'lib/project/references/*',
+         'lib/project/run/own_bounds.cpp', 'lib/project/sweep/points/bounds.cpp')
 SUITE = re.compile(r'TEST_SUITE\("([^"]*)"')
 # The suites that see every calculator, split by element (tests/parts.hpp).
 NOTICING = ('contract', 'contract: evaluation', 'contract: formulas', 'contract: overload', 'laws', 'limits', 'limit cases')
@@ -109,6 +123,69 @@ def code_sites(path, text):
         if re.search(r'\bif \(|\?', line) and 'for (' not in line:
             sites += swaps(COMPARISON, path, text, start, end)
     return sites
+
+
+def bare(text):
+    """The text with blanks in place of what does not decide: words of messages, comments, labels."""
+    return UNREAD.sub(lambda m: re.sub(r'[^\n]', ' ', m[0]), text)
+
+
+def closing(text, start):
+    """Where the bracket closes that is open at the start; then the commas at its level."""
+    depth, at, commas = 1, start, []
+    while depth:
+        depth += {'(': 1, '[': 1, '{': 1, ')': -1, ']': -1, '}': -1}.get(text[at], 0)
+        if depth == 1 and text[at] == ',':
+            commas.append(at)
+        at += 1
+    return at - 1, commas
+
+
+def condition_sites(path, text, seen):
+    """Each condition negated, and each early return left out."""
+    sites = []
+    for found in CONDITION.finditer(seen):
+        start, (end, _) = found.end(), closing(seen, found.end())
+        if re.search(r';|[^=!<>]=[^=]', re.sub(r'\[[=&]', '[ ', seen[start:end])):
+            continue  # with a declaration
+        sites.append(Site(path, start, end, f'!({text[start:end]})'))
+        if EARLY.match(seen, end + 1):
+            sites.append(Site(path, start, end, f'false && ({text[start:end]})'))
+    return sites
+
+
+def row_sites(path, seen):
+    """Each row of a table, and each element that a loop names, left out with the comma next to it."""
+    sites = []
+    for found in LIST.finditer(seen):
+        start, (end, commas) = found.end(), closing(seen, found.end())
+        if seen[start:end].rstrip().endswith(','):
+            end = commas.pop()
+        bounds = [start, *(c + 1 for c in commas), end]
+        if commas:
+            sites += [Site(path, a, b, '') for a, b in zip(bounds, bounds[1:-1])]
+            sites.append(Site(path, commas[-1], end, ''))
+    return sites
+
+
+def enumerator_sites(path, seen):
+    """Each enumerator replaced by the next one that the source has of its enumeration."""
+    all_, sites = {}, []
+    for found in ENUMERATOR.finditer(seen):
+        all_.setdefault(found[1], {})[found[2]] = None
+    for found in ENUMERATOR.finditer(seen):
+        names = list(all_[found[1]])
+        if len(names) > 1:
+            sites.append(Site(path, found.start(2), found.end(2), names[(names.index(found[2]) + 1) % len(names)]))
+    return sites
+
+
+def rule_sites(path, text):
+    """What a rule consists of: its conditions, comparisons, tables and enumerators."""
+    seen = bare(text)
+    return [*condition_sites(path, text, seen), *row_sites(path, seen), *enumerator_sites(path, seen),
+            *(Site(path, m.start(), m.end(), OTHER_OPERATOR[m[0]]) for m in OPERATOR.finditer(seen)),
+            *code_sites(path, text)]
 
 
 def sources(folders, patterns):
@@ -220,6 +297,7 @@ def options():
     p.add_argument('--seed', type=int, default=1, help='which ones; the same seed draws the same from the same sources')
     p.add_argument('--where', default='calculators,lib', help='folders, with commas between them')
     p.add_argument('--only', default='*', help="sources, by patterns with commas between them: 'lib/account/*'")
+    p.add_argument('--rules', action='store_true', help='mutants of the rules alone, by their own operators')
     p.add_argument('--jobs', type=int, default=2, help='suites that run at a time')
     p.add_argument('--seconds', type=float, default=7200, help='no further mutant after so long')
     p.add_argument('--least', type=float, default=0, help='percent that must be killed, or it exits with 1')
@@ -237,7 +315,7 @@ def check_start(build):
 def main():
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that the place is put back
     o = options()
-    paths = sources(o.where.split(','), o.only.split(','))
+    paths = sources(o.where.split(','), RULES if o.rules and o.only == '*' else o.only.split(','))
     if not paths:
         sys.exit(f'error: no source in {o.where} fits --only {o.only}')
     check_start(o.build)
@@ -246,7 +324,7 @@ def main():
         sys.exit(f"error: fails before anything is changed: {' '.join(failed)}")
     random.seed(o.seed)
     print(f'seed {o.seed}', flush=True)
-    formulas, code = all_sites(paths)
+    formulas, code = ([], [s for p in paths for s in rule_sites(p, p.read_text())]) if o.rules else all_sites(paths)
     print(f'{len(formulas)} places in formulas, {len(code)} in code', flush=True)
     killed = survived = 0
     begun = time.monotonic()

@@ -96,6 +96,37 @@ TEST_SUITE("found expressions") {
           contains(refused("T = \"10 N*m\"\n", shaft + T + "\n"), "'T' has no value: its expression divides by zero"));
   }
 
+  TEST_CASE("what cannot be taken together is named with its remedy") {
+    const std::string values =
+        "[values]\nE = \"20 J\"\nf = \"25 Hz\"\nv = \"15 m/s\"\nr = \"300 mm\"\n"
+        "[bar]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"40 mm\"\nT = \"20 N*m\"\n";
+    const auto said = [&](const std::string& T) { return Solved(values + axle + "T = \"=" + T + "\"\n").errors(); };
+    const std::string by_angle = "= divide the energy by the angle, as in E/(2*pi rad)";
+    for (const std::string T : {"bar.T + values.E", "values.E + bar.T"}) CHECK_MESSAGE(contains(said(T), by_angle), T);
+    const std::string turns = Solved(values + fan + "omega = \"=values.f + values.v/values.r\"\n").errors();
+    CHECK_MESSAGE(contains(turns, "a frequency and radians per time cannot be taken together"), turns);
+    CHECK_MESSAGE(contains(turns, "= write rev*f for a frequency of turns"), turns);
+  }
+
+  TEST_CASE("the difference of two temperatures is a rise, a temperature less a rise is none") {
+    const std::string part =
+        "[values]\ndT = \"60 K\"\n[part]\ncalculator = \"fatigue.endurance\"\nschool = \"marin\"\nd = \"40 mm\"\n"
+        "R_m = \"690 MPa\"\nT = \"120 degC\"\nfinish = \"machined\"\nloading = \"bending\"\n";
+    const auto said = [&](const std::string& dT_1) {
+      return Solved(part +
+                    "[tubes]\ncalculator = \"vessel.compound\"\np = \"250 MPa\"\nd_i = \"100 mm\"\nd = \"200 mm\"\n"
+                    "D = \"400 mm\"\nU_min = \"240 um\"\nU_max = \"280 um\"\nends = \"open\"\n"
+                    "material = \"42CrMo4\"\nR_e_1 = \"650 MPa\"\nR_e_2 = \"650 MPa\"\nS = 1.5\ndT_2 = \"20 K\"\n"
+                    "dT_1 = \"=" +
+                    dT_1 + "\"\n")
+          .errors();
+    };
+    CHECK(said("part.T - part.T").empty());
+    for (const std::string none : {"part.T", "part.T - values.dT", "values.dT + part.T"}) {
+      CHECK_MESSAGE(contains(said(none), "is a temperature difference, but this expression is a temperature"), none);
+    }
+  }
+
   TEST_CASE("turns are counted by rev, not by radians") {
     const std::string life = "[b]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";
     CHECK(contains(refused("", axle + "T = \"20 N*m\"\nK_A = \"=1450 rpm*1 s\"\n"), "divide by rev"));

@@ -68,7 +68,8 @@ TEST_SUITE("found values not taken") {
          {"z_l = 0.7", "weld_factor = 0.85", "c_t = \"1.5 mm\"", "h_l = \"20 m\"", "p_design = \"1.6 MPa\"",
           "d_nozzle = \"400 mm\"", "N_cycles = 1e6", "T_min = \"-60 degC\""})
       CHECK_MESSAGE(state(values, shell, "s", "strength") == "not-judged", values);
-    for (const char* const values : {"z_l = 1", "c = \"0.5 mm\"", "p_valve = \"1.1 MPa\"", "N_cycles = 100"})
+    for (const char* const values :
+         {"z_l = 1", "weld_factor = 1", "c = \"0.5 mm\"", "p_valve = \"1.1 MPa\"", "N_cycles = 100"})
       CHECK_MESSAGE(state(values, shell, "s", "strength") == "pass", values);
     CHECK(state("d_nozzle = \"400 mm\"", shell + "accept.nozzles = \"sheet 3\"\n", "s", "strength") == "pass");
   }

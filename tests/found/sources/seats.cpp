@@ -71,6 +71,16 @@ TEST_SUITE("found seats") {
     CHECK_FALSE(is_doubted(gears + shaft_with(taken + "b = \"40 mm\""), "wide"));
   }
 
+  TEST_CASE("a force or a bending moment of [values] that no mounted part has") {
+    const auto is_left_out = [](const std::string& value) {
+      return is_doubted("[values]\n" + value + "\n" + shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\""),
+                        "no mounted component has it");
+    };
+    for (const std::string value : {"F_z = \"2 kN\"", "M_b = \"90 N*m\""}) CHECK_MESSAGE(is_left_out(value), value);
+    for (const std::string value : {"F_x = \"0 N\"", "F_y = 2", "F_w = \"2 kN\"", "M_b = \"2 kN\""})
+      CHECK_MESSAGE(!is_left_out(value), value);
+  }
+
   TEST_CASE("a component of a tooth force is taken as it is") {
     const auto with = [](const std::string& F_x) {
       return gears + shaft_with(typed + "F_x = \"" + F_x + "\", F_y = \"=gears.gear_1.F_y\"");

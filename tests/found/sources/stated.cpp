@@ -116,8 +116,12 @@ TEST_SUITE("found names of stated values") {
     for (const char* const values :
          {"vacuum = \"-0.1 MPa\"", "p_vac = \"0.1 MPa\"", "p_ext = \"0.1 MPa\"", "vacuum = \"full\"", "c = \"3 mm\""})
       CHECK(is_held(values, shell, "shell", "strength"));
-    for (const char* const values : {"p_valve = \"1.1 MPa\"", "vacuum = \"none\"", "c = \"0.5 mm\""})
+    for (const char* const values : {"p_valve = \"1.1 MPa\"", "vacuum = \"none\"", "c = \"0.5 mm\"", "c = 3"})
       CHECK_FALSE(is_held(values, shell, "shell", "strength"));
+    // The allowance is that of every wall.
+    std::string second = shell;
+    second.replace(1, 5, "other");
+    CHECK(is_held("c = \"3 mm\"", shell + second, "shell", "strength"));
   }
 
   TEST_CASE("a motor that is weaker than its drive, or has another speed") {
@@ -127,6 +131,13 @@ TEST_SUITE("found names of stated values") {
     for (const char* const values : {"P_motor = \"2.2 kW\"", "T_motor = \"30 N*m\"", "n_motor = \"720 rpm\"",
                                      "n = \"235 rpm\"", "n_target = \"900 rpm\""})
       CHECK_FALSE(is_held(values, wheels, "w", "contact"));
+  }
+
+  TEST_CASE("a reason next to the first speed of a drive answers for its motor") {
+    std::string second = wheels;
+    second.replace(1, 1, "v");
+    const std::string reason = wheels + "because.P = \"the drive is throttled\"\n";
+    CHECK(mode_of(solved_as_found(under("P_motor = \"1.1 kW\"", reason + second)), "v", "contact") == "pass");
   }
 
   TEST_CASE("a torque above those of a drive, which 61 N m reach at its slow side; an energy is no torque") {

@@ -9,7 +9,7 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr Dimension cycles_per_time = Dimension::of(0, 0, -1), turning = Dimension::of(0, 0, -1, 0, 1);
+constexpr Dimension turning = Dimension::of(0, 0, -1, 0, 1);
 
 /// The word of a choice, as far as it is known before the step is solved.
 std::string word_now(const Step& step, const Project& project, const std::string& choice) {
@@ -73,7 +73,6 @@ WrongKind wrong_angle(const Operand& operand, const Dimension& given) {
   if (wanted == turning)
     return {std::move(message),
             say("write rpm, rev/s or rad/s; rev*f for turns per time, 1 rad*x for radians per time")};
-  if (wanted == cycles_per_time) return {std::move(message), say("divide by rev for turns per time")};
   if (wanted == Dimension::of(0, 0, 1)) return {std::move(message), say("multiply the number of turns by rev")};
   return {std::move(message), say("divide by rev to count turns, by 1 rad for an arc over its radius")};
 }

@@ -279,8 +279,12 @@ TEST_SUITE("found factors") {
     CHECK(mode_of(apart, "second", "root_1") == "pass");
     CHECK(holds(first_error_of(two_pairs(torque + "z_1 = \"=first.z_2\"\nidler = \"none\"\n")),
                 "reversed tooth bending"));
+    const std::string same_gear = "the same module and number of teeth";
     for (const char* teeth : {"z_1 = 40\n", "z_1 = \"=40\"\n", "z_1 = \"=2*20\"\n"})
-      CHECK(holds(first_error_of(two_pairs(torque + teeth)), "the same module and number of teeth"));
+      CHECK(holds(first_error_of(two_pairs(torque + teeth)), same_gear));
+    // The speed alone or the torque alone says which pair drives.
+    CHECK(holds(first_error_of(two_pairs("T_1 = \"50 N*m\"\nn_1 = \"=abs(first.n_2)\"\nz_1 = 40\n")), same_gear));
+    CHECK(holds(first_error_of(two_pairs("T_1 = \"=abs(first.T_2)\"\nn_1 = \"500 rpm\"\nz_1 = 40\n")), same_gear));
   }
 
   TEST_CASE("F13: factors that no machine has are refused") {

@@ -40,7 +40,9 @@ TEST_SUITE("found loads left out") {
 
   TEST_CASE("the application factor of [values] under the symbol of another standard") {
     const auto state = [](const std::string& text) { return mode_of(solved_as_found(text), "shaft", "yield"); };
-    CHECK(state(shaft_beside("K_o = 1.4")) == "not-judged");
+    for (const std::string name :
+         {"K_o", "K_O", "k_A", "c_B", "f_B", "service_factor", "application_factor", "overload_factor"})
+      CHECK_MESSAGE(state(shaft_beside(name + " = 1.4")) == "not-judged", name);
     CHECK(state(shaft_beside("K_o = 1.4", "K_A = 1.5\n")) == "pass");
     CHECK(state(shaft_beside("K_o = 1.4", "because.K_A = \"T holds it\"\n")) == "pass");
     CHECK(state(shaft_beside("K_oil = 1.4")) == "pass");

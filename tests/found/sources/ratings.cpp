@@ -63,6 +63,16 @@ std::string place_with(const std::string& lines) { return pitting(gears + rated(
 }  // namespace
 
 TEST_SUITE("found ratings") {
+  TEST_CASE("teeth of one piece with a shaft are case-hardened if its steel can be") {
+    const auto state = [](const std::string& steel) {
+      std::string shaft = shaft_with("80 mm");
+      shaft.replace(shaft.find("16MnCr5"), 7, steel);
+      return pitting(gears + rated(midway) + shaft);
+    };
+    CHECK(state("16MnCr5") == "pass");
+    CHECK(state("C45E") == "not-judged");
+  }
+
   TEST_CASE("flanks that the pair has as cut are not rated as ground") {
     const std::string ground = "finish = \"ground\"\nR_z1 = \"4 um\"\nR_z2 = \"4 um\"\n" + midway;
     const auto pair = [](const std::string& cutting) { return gears + "cutting = \"" + cutting + "\"\n"; };

@@ -164,6 +164,13 @@ TEST_SUITE("found names of stated values") {
                          values, "[s]\ncalculator = \"shaft.torsion\"\nT = \"300 N*m\"\nd = \"60 mm\"\n" + lines)),
                      "s", "yield");
     };
+    const auto keyed = [](const std::string& lines) {
+      std::string half = key;
+      half.replace(half.find("300 N*m"), 7, "=values.T/2");
+      return mode_of(solved_as_found(under("T = \"600 N*m\"", half + lines)), "key", "hub");
+    };
+    CHECK(keyed("") == "not-judged");
+    CHECK(keyed("i = 2\n") == "pass");  // the number of keys explains the half
     CHECK(shaft("K_A = 1.5", "tau_adm = \"40 MPa\"\nK_A = \"=values.K_A/1.5\"\n") == "not-judged");
     CHECK(shaft("K_A = 1.5", "tau_adm = \"40 MPa\"\nK_A = \"=values.K_A\"\n") == "pass");
     CHECK(shaft("K_A = 1.5", "tau_adm = \"40 MPa\"\nK_A = \"=1.1*values.K_A\"\n") == "pass");

@@ -86,9 +86,8 @@ void compare_factor(const Step& step, const Project& project, const std::string&
 
 /// A component of the load that a step may be given in addition to others: axial forces, bending moments.
 bool is_component(std::string_view name) {
-  constexpr std::array<std::string_view, 18> names{"F_a",  "F_ax", "F_x",    "F_y", "F_z",   "F_r0",
-                                                   "F_a0", "M_b",  "M_y",    "M_z", "M_y_1", "M_z_1",
-                                                   "q_y",  "q_z",  "M_tmax", "N",   "V",     "H"};
+  constexpr std::array<std::string_view, 16> names{"F_a", "F_x",   "F_y",   "F_z", "F_r0", "F_a0",   "M_b", "M_y",
+                                                   "M_z", "M_y_1", "M_z_1", "q_y", "q_z",  "M_tmax", "N",   "V"};
   return std::ranges::find(names, name) != names.end();
 }
 

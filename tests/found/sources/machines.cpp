@@ -99,6 +99,9 @@ TEST_SUITE("found machines") {
     CHECK(state(known + lug("cheek", "because.load = \"beam to the far side, sheet 3\"\n"), "cheek", "net") == "pass");
     const std::string unknown = machine("A", "20 mm") + lug("eye");
     CHECK(state(unknown, "eye", "net") == "pass");  // it may be that of the rod
+    const std::string crank = replaced(replaced(rod, "[rod]", "[arm]"), "press.links.rod", "press.links.crank");
+    const std::string of_crank = replaced(lug("eye"), "b = \"60 mm\"", "b = \"=arm.h\"");
+    CHECK(state(machine("A", "20 mm") + crank + of_crank, "eye", "net") == "not-judged");
     CHECK(state(unknown + lug("cheek"), "eye", "net") == "not-judged");
     CHECK(state(unknown + lug("cheek"), "cheek", "net") == "not-judged");
   }

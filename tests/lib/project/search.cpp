@@ -1,3 +1,4 @@
+#include "lib/account/conclusion.hpp"
 #include "lib/project/run/evaluation/providers.hpp"
 #include "tests/lib/project/texts.hpp"
 
@@ -117,6 +118,19 @@ TEST_SUITE("project search") {
     CHECK(first_error(axle + "T = \"100 N*m\"\ntau_adm = \"30 MPa\"\nd = { stock = \"bright\" }\n"
                              "segments = [{ l = \"1 m\", d_bore = \"260 mm\" }, { l = \"1 m\" }]\n")
               .starts_with("the bore of a segment must be smaller"));
+  }
+
+  TEST_CASE("a part of a given size that fails whatever is found: there is no result, and the reason is told") {
+    const std::string fixed = "segments = [{ l = \"100 mm\", d = \"20 mm\" }, { l = \"200 mm\" }]\n";
+    const auto project = solved(axle + "T = \"900 N*m\"\ntau_adm = \"40 MPa\"\nd = \"?\"\n" + fixed);
+    const auto modes = project::modes(project);
+    CHECK(account::conclude(modes).headline == account::Headline::no_solution);
+    // 16 T / (pi d^3) = 573 MPa at 20 mm; 40 MPa at 48.6 mm
+    const auto search = std::find_if(modes.begin(), modes.end(), [](const auto& mode) { return mode.id == "search"; });
+    REQUIRE(search != modes.end());
+    const std::string why = search->note.text();
+    CHECK_MESSAGE(why.find("none passes, nearest is 50 mm: u_tau = 14.32") != std::string::npos, why);
+    CHECK_MESSAGE(why.find("all others fail this too") != std::string::npos, why);
   }
 
   TEST_CASE("an unknown stock is told with the nearest one") {

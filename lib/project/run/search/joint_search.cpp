@@ -180,17 +180,39 @@ void JointSearch::branch(Branching& b, std::size_t depth) {
   }
 }
 
-/// From the result of a first search, if any; true if there is a cheaper part.
-bool JointSearch::find_cheaper(double lowest, SizeIndices& least) {
-  constexpr int most_trials = 20000, most_without_bound = 400;  // without a first part nothing limits the cost
-  Branching b{sizes_.firsts(), std::isinf(lowest) ? SizeIndices(sizes_.count(), 0) : floors_below(least),
-              least,           {},
-              lowest,          std::isinf(lowest) ? most_without_bound : most_trials};
+/// The smallest index of each size that may be, from the smallest upwards; empty if a size may have none.
+SizeIndices JointSearch::floors_from_least() {
+  SizeIndices floors(sizes_.count(), 0);
+  for (const std::size_t first : sizes_.firsts()) {
+    std::size_t at = 0;
+    while (at < sizes_.sizes(first).size() && !may_be(first, at)) ++at;
+    if (at == sizes_.sizes(first).size()) return {};
+    floors = with_group(std::move(floors), first, at);
+  }
+  return floors;
+}
+
+/// From the smallest sizes `floors` on, those that pass with less than `lowest`; true if there are any.
+bool JointSearch::find_from(SizeIndices floors, double lowest, int trials, SizeIndices& least) {
+  Branching b{sizes_.firsts(), std::move(floors), least, {}, lowest, trials};
   branch(b, 0);
   if (b.best.empty()) return false;
   least = b.best;
   sizes_.set(least);
   return true;
+}
+
+/// From the result of a first search, if any; true if there is a cheaper part. Without a first part nothing limits the
+/// cost: a few are tried from the smallest sizes on, then from those below which a place of its own fails.
+bool JointSearch::find_cheaper(double lowest, SizeIndices& least) {
+  constexpr int most_trials = 20000, most_without_bound = 400;
+  if (std::isfinite(lowest)) return find_from(floors_below(least), lowest, most_trials, least);
+  if (!find_from(SizeIndices(sizes_.count(), 0), lowest, most_without_bound, least)) {
+    SizeIndices floors = floors_from_least();
+    if (floors.empty() || !find_from(std::move(floors), lowest, most_trials, least)) return false;
+  }
+  find_cheaper(sizes_.cost(), least);
+  return sizes_.set(least);
 }
 
 /// The cheapest passing part among all arrangements of the sizes; if none passes, the first arrangement.
@@ -249,53 +271,15 @@ void JointSearch::run(std::vector<Issue>& issues) {
   const bool smallest = passes_with(least);
   if (smallest && !has_check()) return issues.push_back(aimless_search(evaluation_.step(), first));
   bool found = find_cheapest(least);
-  if (!found && excuse_unmoved()) found = find_cheapest(least);
+  if (!found && excuse_unmoved()) {
+    found = find_cheapest(least);
+    if (found && fails_unmoved(least)) return leave_unfit(least);
+  }
   if (!found && !set_largest(least)) return issues.push_back(no_sizes());
   if (!found) return leave_open(least);
   if (in_words_) return tell(least);
   sizes_.set(least);
   settle();
-}
-
-/// No sizes satisfy the input rules: the rule that is broken at all of them, if there is one. Where the arrangement
-/// takes no sizes at all, the rules are those of the sizes alone.
-Issue JointSearch::no_sizes() {
-  const Message none = say("no combination of sizes satisfies the input rules");
-  const std::string& first = sizes_.search(0).path;
-  std::optional<std::set<std::size_t>> always;
-  bool is_arranged = false;
-  for (const double level : sizes_.levels()) {
-    const SizeIndices sizes = sizes_.first_from(level);
-    const bool are_set = sizes_.set(sizes);
-    if (!are_set) sizes_.set_alone(sizes);
-    is_arranged = is_arranged || are_set;
-    settle();
-    const std::set<std::size_t> broken = passing_.broken_rules();
-    if (!always) always = broken;
-    std::erase_if(*always, [&](std::size_t rule) { return !broken.contains(rule); });
-  }
-  if (always && !always->empty()) {
-    Issue issue = evaluation_.broken_rule(*always->begin());
-    if (!is_arranged) issue.message = say("{1}: {2}", none, issue.message);
-    return issue;
-  }
-  return issue_at(evaluation_.step().input(), first, none, say("give '{1}' a value, or search for more sizes", first));
-}
-
-/// The check that fails if one of them is a size smaller, with the others unchanged; nothing if no smaller one is
-/// possible with them.
-std::optional<account::TriedSize> JointSearch::next_of(const SizeIndices& laid, std::size_t which) {
-  if (!sizes_.shrink(laid, which)) return std::nullopt;
-  const double size = sizes_.at(which).size();
-  const std::string less = format_quantity(size, sizes_.search(which).leaf.field->unit);
-  for (std::size_t i = 0; i < sizes_.count(); ++i) {
-    if (sizes_.at(i).like != sizes_.at(which).like) continue;
-    const Message unsound = sizes_.fault(i);
-    if (!unsound.empty()) return tried_size(evaluation_.calculator(), less, size, {unsound});
-  }
-  if (!sizes_.set_smaller(laid, which)) return std::nullopt;
-  last_.reset();
-  return tried_size(evaluation_.calculator(), less, size, fault_of_candidate(evaluation_, passing_));
 }
 
 /// Ignores checks that no size satisfies: those that fail with both the smallest and the largest sizes within the
@@ -320,60 +304,15 @@ bool JointSearch::excuse_unmoved() {
   return !unmoved.empty();
 }
 
-/// No sizes pass together: none has a value. Reports the failures of the nearest ones, all alike unless their
-/// neighbours require otherwise.
-void JointSearch::leave_open(SizeIndices nearest) {
-  sizes_.cap();
-  Shortfall least;
-  bool is_first = true;
-  for (const double level : sizes_.levels()) {
-    const SizeIndices all = sizes_.first_from(level);
-    if (!sizes_.set(all)) continue;
-    settle();
-    if (!passing_.keeps_rules()) continue;
-    const Shortfall here = shortfall_of_candidate(evaluation_, passing_);
-    if (!is_first && !here.is_less_than(least)) continue;
-    is_first = false;
-    least = here;
-    nearest = sizes_.now();
-  }
-  sizes_.set(nearest);
+/// Whether a check or a requirement fails that the search has left out: a part that breaks is no result. Only the
+/// ranges of methods remain, which no size reaches.
+bool JointSearch::fails_unmoved(const SizeIndices& least) {
+  sizes_.set(least);
   settle();
-  std::string sizes;
-  for (std::size_t i = 0; i < sizes_.count(); ++i) {
-    const std::string size = format_quantity(sizes_.at(i).size(), sizes_.search(i).leaf.field->unit);
-    sizes += (i == 0 ? "" : ", ") + sizes_.search(i).path + " = " + size;
-  }
-  Message fault;  // of the part as a whole, before that of a check
-  for (std::size_t i = 0; i < sizes_.count() && fault.empty(); ++i) fault = sizes_.fault(i);
-  if (fault.empty()) fault = fault_of_candidate(evaluation_, passing_).text;
-  const Message why = say("no sizes pass together, nearest are {1}: {2}", sizes, fault);
-  for (std::size_t i = 0; i < sizes_.count(); ++i) {
-    const std::string& path = sizes_.search(i).path;
-    evaluation_.inputs().leaf(path).set(std::nan(""));
-    evaluation_.inputs().set_origin(path, {.text = why, .sources = {}, .searched = true});
-  }
-  evaluation_.inputs().set_unavailable(why, account::Subject::search);
-}
-
-/// Reports for each the result, and the reason why it is not smaller.
-void JointSearch::tell(const SizeIndices& least) {
-  for (std::size_t i = 0; i < sizes_.count(); ++i) {
-    Message text =
-        say("smallest of {1} with which no assessed mode fails, in combination with the other sizes", sizes_.stock(i));
-    std::optional<account::TriedSize> next;
-    if (sizes_.at(i).at > 0) {
-      next = next_of(least, i);
-      text = next ? say("{1}; {2}: {3}", text, next->name, next->reason)
-                  : say("{1}; no smaller one goes with the others", text);
-    }
-    sizes_.set(least);
-    Origin origin = stock_origin(*evaluation_.step().input().tables, sizes_.stock(i), std::move(text));
-    origin.searched = true;
-    origin.next = std::move(next);
-    evaluation_.inputs().set_origin(sizes_.search(i).path, std::move(origin));
-  }
-  settle();
+  Passing whole(evaluation_);
+  whole.excuse_sizeless();
+  const FailedValues failed = failed_values(evaluation_, whole);
+  return std::any_of(failed.begin(), failed.end(), [](const auto& row) { return is_failure(*row.first.field); });
 }
 
 }  // namespace loadpath::project

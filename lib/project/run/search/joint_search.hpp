@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace loadpath::project {
@@ -49,6 +50,8 @@ class JointSearch {
   bool find_cheapest(SizeIndices& least);
   [[nodiscard]] bool may_be(std::size_t first, std::size_t at);
   SizeIndices floors_below(const SizeIndices& found);
+  SizeIndices floors_from_least();
+  bool find_from(SizeIndices floors, double lowest, int trials, SizeIndices& least);
   bool find_cheaper(double lowest, SizeIndices& least);
   void branch(Branching& at, std::size_t depth);
   bool places_pass(std::size_t first);
@@ -57,7 +60,12 @@ class JointSearch {
   [[nodiscard]] Issue no_sizes();
   [[nodiscard]] std::optional<account::TriedSize> next_of(const SizeIndices& laid, std::size_t which);
   bool excuse_unmoved();
+  bool fails_unmoved(const SizeIndices& least);
   void leave_open(SizeIndices nearest);
+  void leave_unfit(const SizeIndices& others);
+  void leave_all(const Message& why);
+  [[nodiscard]] std::string named_sizes() const;
+  [[nodiscard]] Message given_place(const std::string& row) const;
   void tell(const SizeIndices& least);
 
   Evaluation& evaluation_;

@@ -154,4 +154,17 @@ bool JointSizes::is_place_of(std::size_t first, const FieldInfo& list, const voi
                      [&](const Sought& s) { return s.like == first && s.owner == owner; });
 }
 
+std::string JointSizes::given_place_of(const FieldInfo& list, const void* element) const {
+  const Record& record = inputs_.record();
+  const void* const owner = sizing_.place(record.data.get(), list.key, element);
+  const FieldInfo* const sized = find_field(record.type->fields, sizing_.list);
+  const auto is_owner = [&](const Sought& s) { return s.owner == owner; };
+  if (owner == nullptr || sized == nullptr || std::any_of(sought_.begin(), sought_.end(), is_owner)) return {};
+  for (std::size_t k = 0; k < sized->size(record.data.get()); ++k) {
+    if (sized->element(record.data.get(), k) == owner)
+      return std::string(sized->key) + "[" + std::to_string(k + 1) + "]";
+  }
+  return {};
+}
+
 }  // namespace loadpath::project

@@ -30,6 +30,8 @@ Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing);
 /// Checks and limits that a candidate fails, in lists too, and with which value.
 using FailedValues = std::map<Row, double>;
 FailedValues failed_values(Evaluation& evaluation, Passing& passing);
+/// Whether a row outside its bounds means that the part fails: a check, or a requirement, not the range of a method.
+inline bool is_failure(const FieldInfo& row) { return row.role == Role::check || row.is_criterion; }
 /// The values that fail with a smaller and with a larger candidate, and do not improve with the larger.
 FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& larger);
 

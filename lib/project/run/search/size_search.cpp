@@ -90,11 +90,11 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   if (has_no_pair)
     return leave_open(say("{1}: none passes together with one of {2}", what_is_searched(), together_->with));
   const FailedValues unmoved = found == candidates_.count() ? unmoved_by_size(from) : FailedValues{};
-  for (const auto& [row, value] : unmoved) passing_.excuse(row);  // they decide the verdict, whatever the result
-  if (!unmoved.empty()) found = first_that_passes(0);
+  for (const auto& [row, value] : unmoved) passing_.excuse(row);
+  const bool all_fail = std::ranges::any_of(unmoved, [](const auto& row) { return is_failure(*row.first.field); });
+  if (!unmoved.empty()) found = first_that_passes(all_fail ? from : 0);
   if (found == candidates_.count()) return tell_none(from, issues);
-  const auto is_criterion = [](const auto& failed) { return failed.first.field->is_criterion; };
-  if (!candidates_.leaf && std::any_of(unmoved.begin(), unmoved.end(), is_criterion)) return tell_unfit(found);
+  if (all_fail) return tell_unfit(found);
   if (in_words_) warn_of_passed_over(found, issues);
   candidates_.take(evaluation_.inputs(), found);
   evaluation_.settle_sizes();
@@ -208,16 +208,19 @@ void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
   leave_open(std::move(fault), std::move(tried));
 }
 
-/// No row fits, as no roller bearing without ribs under an axial load. Reports the first that passes in all else.
+/// All fail the same check or requirement, as roller bearings without ribs under an axial load. Reports the first that
+/// passes in all else.
 void SizeSearch::tell_unfit(std::size_t nearest) {
   candidates_.take(evaluation_.inputs(), nearest);
   evaluation_.settle_sizes();
   Passing whole(evaluation_);
+  whole.excuse_sizeless();
   const CandidateFault fault = fault_of_candidate(evaluation_, whole);
   const Message name = candidates_.name(nearest);
-  Message why =
-      say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), name, fault_in_full(evaluation_, fault));
-  leave_open(std::move(why), {tried_size(evaluation_.calculator(), name.text(), std::nullopt, fault)});
+  Message why = say("{1}: none passes, nearest is {2}: {3}; all others fail this too", what_is_searched(), name,
+                    fault_in_full(evaluation_, fault));
+  const std::optional<double> si = candidates_.leaf ? std::optional(candidates_.sizes[nearest]) : std::nullopt;
+  leave_open(std::move(why), {tried_size(evaluation_.calculator(), name.text(), si, fault)});
 }
 
 /// No candidate keeps the rules, or has a size that settles.

@@ -1,4 +1,5 @@
 // Diameters of a shaft that are found together: everything passes, nothing can be smaller, and the shape is sound.
+#include "lib/account/conclusion.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"
 #include "tests/parts.hpp"
@@ -181,6 +182,50 @@ TEST_SUITE("shaft sizing" * test::by_case) {
         "notches = [{ x = \"25 mm\", kind = \"shoulder\", r = \"1 mm\" }, { x = \"75 mm\", kind = \"shoulder\", r = "
         "\"1 mm\" }, { x = \"115 mm\", kind = \"shoulder\", r = \"1 mm\" }]\nS_F = 1.5\n";
     CHECK(contains(Solved(text).origin("axle", "pieces.right.d"), "a bearing seat is the thickest segment"));
+  }
+
+  const std::string four_pieces =
+      "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"80 GPa\"\nrho = \"7850 kg/m^3\"\nR_e = "
+      "\"370 MPa\"\nR_m = \"630 MPa\"\ngroup = \"carbon-steel\"\n";
+
+  TEST_CASE("a segment of a given diameter that yields: no sizes pass, and the segment is named") {
+    const std::string text =
+        four_pieces +
+        "S_F = 2\npieces = [{ l = \"120 mm\", d = \"20 mm\" }, { l = \"30 mm\", d = \"?\" }, { l = \"200 mm\", d = "
+        "\"?\" }, { l = \"30 mm\", d = \"?\" }]\n"
+        "notches = [{ x = \"120 mm\", kind = \"shoulder\", r = \"2.5 mm\", h = \"1.5 mm\" }, { x = \"150 mm\", kind "
+        "= \"shoulder\", r = \"1 mm\" }, { x = \"350 mm\", kind = \"shoulder\", r = \"0.6 mm\" }]\n"
+        "supports = [{ x = \"135 mm\", holds = \"both\" }, { x = \"365 mm\" }]\n"
+        "seats = [{ x = \"60 mm\", integral = true, way = \"drives\", T = \"200 N*m\", F_x = \"10 kN\" }, { x = "
+        "\"250 mm\", integral = true, T = \"200 N*m\", F_x = \"5941 N\" }]\n";
+    const Solved solved(text);
+    REQUIRE_MESSAGE(!has_errors(solved.issues), solved.messages());
+    const std::string why = solved.origin("axle", "pieces[2].d");
+    CHECK_MESSAGE(contains(why, "no sizes pass together: sections["), why);
+    CHECK_MESSAGE(contains(why, "because pieces[1].d is given as 20 mm; pieces[2].d = "), why);
+    CHECK(account::conclude(solved.all).headline == account::Headline::no_solution);
+    // 600 N*m and 200 N*m: sigma_v = 795 MPa at 20 mm, 70 MPa at 45 mm
+    Solved thicker(test::with(text, "pieces",
+                              "[{ l = \"120 mm\", d = \"45 mm\" }, { l = \"30 mm\", d = \"?\" }, { l = "
+                              "\"200 mm\", d = \"?\" }, { l = \"30 mm\", d = \"?\" }]"));
+    CHECK(thicker.mode("axle.yield").state == State::pass);
+  }
+
+  TEST_CASE("sizes between the thin and the thick ones that fail are found: the lightest of all in the stocks") {
+    Solved solved(
+        four_pieces +
+        "S_F = 1.2\nS_D = 1.2\nr_T = -1\nn = \"3000 rpm\"\nv_adm = \"0.2 mm\"\npieces = [{ l = \"40 mm\", d = \"?\" "
+        "}, { l = \"60 mm\", d = \"?\" }, { l = \"80 mm\", d = \"?\" }, { l = \"30 mm\", d = \"?\" }, { l = \"60 mm\", "
+        "d = \"20 mm\" }]\nnotches = [{ x = \"40 mm\", kind = \"shoulder\", r = \"2.5 mm\" }, { x = \"100 mm\", kind "
+        "= \"shoulder\", r = \"0.4 mm\", h = \"3 mm\" }, { x = \"180 mm\", kind = \"shoulder\", r = \"1 mm\" }, { x = "
+        "\"34 mm\", kind = \"groove\", r = \"1 mm\", t = \"1 mm\" }]\nsupports = [{ x = \"70 mm\", holds = \"both\" "
+        "}, { x = \"195 mm\" }]\nseats = [{ x = \"20 mm\", integral = true, way = \"drives\", T = \"20 N*m\", F_x = "
+        "\"4983 N\", angle = \"114 deg\" }, { x = \"240 mm\", integral = true, T = \"20 N*m\", F_x = \"2328 N\", "
+        "angle = \"285 deg\" }]\n");
+    REQUIRE_MESSAGE(!has_errors(solved.issues), solved.messages());
+    constexpr std::array lightest{22.4, 28.0, 35.5, 20.0};  // of all combinations of the stocks, tried one by one
+    for (std::size_t i = 0; i < lightest.size(); ++i)
+      CHECK(1e3 * solved.value("axle.pieces[" + std::to_string(i + 1) + "].d") == Approx(lightest[i]));
   }
 
   TEST_CASE("sizes of other kinds are still searched for one at a time") {

@@ -172,6 +172,23 @@ void Appendix::add_figures(const Account& account) {
   }
 }
 
+/// A number or a word; empty for a list, a series, or an input that is not given.
+std::string justified_value(const Step& step, const std::string& input) {
+  const auto& entries = step.account().inputs;
+  const auto entry = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.path == input; });
+  if (entry == entries.end()) return "";
+  if (!entry->word.empty()) return entry->word;
+  const bool is_number = entry->value.si.size() == 1 && std::isfinite(entry->value.si.front());
+  return is_number ? format_quantity(entry->value.si.front(), entry->unit, 5) : "";
+}
+
+/// Reasons for values, also for those that only other steps or [values] contradict.
+void add_reasons(const Step& step, std::vector<Block>& blocks) {
+  Table table{say("Justified values"), {say("input"), say("reason")}, {}};
+  for (const Justified& value : justified_values(step)) table.rows.push_back({value.name(), value.reason});
+  if (!table.rows.empty()) blocks.emplace_back(std::move(table));
+}
+
 void Appendix::add_inputs(const Step& step) {
   const Account& account = step.account();
   if (account.input_blocks.empty()) {
@@ -179,6 +196,7 @@ void Appendix::add_inputs(const Step& step) {
     append(blocks_, list_tables(used_inputs(step)));
   }
   append(blocks_, account.input_blocks);
+  add_reasons(step, blocks_);
   add_remarks(step.remarks(), blocks_);
 }
 
@@ -281,6 +299,13 @@ std::vector<Table> list_tables(const std::vector<Entry>& entries) {
     for (auto& row : table.rows) row.resize(table.head.size(), std::string());
   }
   return tables;
+}
+
+std::vector<Justified> justified_values(const project::Step& step) {
+  std::vector<Justified> all;
+  for (const auto& [input, reason] : step.input().because)
+    all.push_back({input, justified_value(step, input), reason.text});
+  return all;
 }
 
 std::vector<AppliedFactor> applied_factors(const Project& project) {

@@ -41,6 +41,14 @@ struct AppliedFactor {
 };
 std::vector<AppliedFactor> applied_factors(const project::Project& project);
 
+/// An input with a value that the user justifies: "T", its value as "200 N·m" (empty if there is none), the reason.
+struct Justified {
+  std::string input, value, reason;
+  /// "T = 200 N·m"
+  [[nodiscard]] std::string name() const { return value.empty() ? input : input + " = " + value; }
+};
+std::vector<Justified> justified_values(const project::Step& step);
+
 /// The keys of sources that a text names in brackets: "[B19] (4)" -> "B19".
 std::set<std::string> keys_in(std::string_view text);
 /// The citations of keys; without rows if none is known.

@@ -181,7 +181,7 @@ void Pages::add_main(double room, Page& page) {
 /// What is not decided, in a height. The assumptions are in the column with more room; if it has too little, on page 2.
 Band Pages::fields(double room) {
   Band all{{half, {outside_scope(summary_), not_assessed(summary_)}},
-           {other_half, {accepted_by_user(summary_), not_considered(summary_)}}};
+           {other_half, {accepted_by_user(summary_, project_), not_considered(summary_)}}};
   const double left = height_of({all[0]}), right = height_of({all[1]});
   Stack& shorter = left <= right ? all[0] : all[1];
   Panel assumed = assumptions(project_);

@@ -90,11 +90,15 @@ Panel outside_scope(const Summary& summary) {
   return field(say("Outside the scope of loadpath"), say("assess by hand"), lines_of(summary.outside));
 }
 
-Panel accepted_by_user(const Summary& summary) {
+Panel accepted_by_user(const Summary& summary, const project::Project& project) {
   std::vector<Message> lines;
   for (const Mode& mode : summary.modes) {
     if (mode.state != account::State::accepted) continue;
     lines.push_back(say("{1}, {2}: {3}.", spoken(mode.step), plain_title(mode), mode.note));
+  }
+  for (const auto& step : project.steps) {
+    for (const Justified& value : justified_values(*step))
+      lines.push_back(say("{1}, {2}: {3}.", spoken(step->name()), value.name(), value.reason));
   }
   return field(say("Accepted by user"), {}, std::move(lines));
 }

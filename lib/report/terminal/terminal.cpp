@@ -34,6 +34,14 @@ void show_found(const project::Step& step) {
   std::cout << columns(rows);
 }
 
+/// Values with a reason of the user.
+void show_justified(const project::Step& step) {
+  std::vector<Row> rows;
+  for (const report::Justified& value : report::justified_values(step))
+    rows.push_back({"  justified", value.name(), value.reason});
+  std::cout << columns(rows);
+}
+
 void show_results(const project::Step& step) {
   std::vector<Row> rows;
   for (const account::Entry& e : step.account().results) {
@@ -126,6 +134,7 @@ std::string with_short_hints(const std::string& text) {
 void show_step(const project::Step& step, bool in_full) {
   std::cout << step.name() << ": " << step.input().calculator->title << " (" << step.input().calculator->id << ")\n";
   show_found(step);
+  show_justified(step);
   if (in_full) show_derivation(step);
   if (in_full && !step.account().blocks.empty())
     show_tables(step);
@@ -180,6 +189,10 @@ void show_modes(const project::Project& project) {
     const std::string used = mode.utilisation ? report::utilisation_text(*mode.utilisation) : "";
     rows.push_back({"  " + mode_word(mode), mode.step + "." + mode.id, used,
                     mode.title.text() + "; " + account::reason(mode).text()});
+  }
+  for (const auto& step : project.steps) {
+    for (const report::Justified& value : report::justified_values(*step))
+      rows.push_back({"  justified", step->name() + "." + value.input, "", value.name() + ": " + value.reason});
   }
   std::cout << "\n" << in_signs_of(columns(rows, look.width), look);
 }

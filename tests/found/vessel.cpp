@@ -153,4 +153,23 @@ TEST_SUITE("found vessel") {
     for (const char* const wall : {"t = \"8 mm\"", "s = \"8 mm\"", "e = \"8 mm\""})
       CHECK(contains(said(wall), "did you mean 'delta' (nominal wall thickness)?"));
   }
+
+  TEST_CASE("of a torus, the radius of the ring or of the tube is named, and no strength") {
+    const auto said = [](const char* line) {
+      return Solved(
+                 "[v]\ncalculator = \"vessel.torus\"\np = \"1 MPa\"\nR_0 = \"1 m\"\nr = \"200 mm\"\nsigma_adm = \"140 "
+                 "MPa\"\n" +
+                 std::string(line) + "\n")
+          .errors();
+    };
+    const std::string both = said("D = \"2 m\"");
+    CHECK_MESSAGE(contains(both, "r = \"=2 m/2\" (radius of the tube"), both);
+    CHECK_MESSAGE(contains(both, "R_0 = \"=2 m/2\" (radius of the ring"), both);
+    CHECK(contains(said("d = \"400 mm\""), "write the radius: r = \"=400 mm/2\""));
+    CHECK(contains(said("r_i = \"200 mm\""), "write r and measured = \"inner\""));
+    for (const char* const radius : {"R = \"1 m\"", "R_m = \"1 m\"", "r_k = \"1 m\""}) {
+      CHECK_MESSAGE(contains(said(radius), "'R_0' (radius of the ring"), said(radius));
+      CHECK_MESSAGE(!contains(said(radius), "R_e"), said(radius));
+    }
+  }
 }

@@ -2,6 +2,7 @@
 
 #include "lib/calculator/choice_words.hpp"
 #include "lib/project/read/meant/elsewhere.hpp"
+#include "lib/quantity/literal.hpp"
 #include "lib/text/meant.hpp"
 
 #include <algorithm>
@@ -24,6 +25,20 @@ std::vector<std::string> keys_of(const std::vector<Part>& parts) {
   return keys;
 }
 
+/// The fields that a value with a unit can have been meant for: "500 mm" is no strength. None for other values.
+static std::vector<Known> known_of_dimension(const Tree& value, const std::vector<Part>& parts) {
+  std::vector<Known> known;
+  const auto typed = parse_literal(value.text);
+  if (!typed || typed->dimension.is_number()) return known;
+  for (const Part& part : parts) {
+    for (const FieldInfo& field : part.fields) {
+      if (field.type == FieldInfo::Type::quantity && field.dimension == typed->dimension)
+        known.push_back({field.key, field.doc});
+    }
+  }
+  return known;
+}
+
 /// The fields that a wrong key can have been meant for, with their meanings; or the place where it is valid.
 static Message fields_near(const Tree::Entry& entry, const std::vector<Part>& parts) {
   const std::string& key = entry.key;
@@ -36,6 +51,7 @@ static Message fields_near(const Tree::Entry& entry, const std::vector<Part>& pa
     if (otherwise.empty()) otherwise = input_within(key, part.fields);
     for (const FieldInfo& field : part.fields) known.push_back({field.key, field.doc});
   }
+  if (Message near = meant(key, known_of_dimension(entry.value, parts), {}); !near.empty()) return near;
   return meant(key, known, otherwise.empty() ? there_is(known) : otherwise);
 }
 

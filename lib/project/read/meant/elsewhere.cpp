@@ -80,15 +80,40 @@ Message torque_of_power(const toml::Tree::Entry& entry, std::span<const FieldInf
   return say("write the torque of the power at its speed: T = \"={1}/(1450 rpm)\"", entry.value.text);
 }
 
+namespace {
+
+/// "write the radius: R = "=1200 mm/2"", for a diameter; of a torus, which has two radii, both.
+Message radius_meant(const toml::Tree::Entry& entry, std::span<const FieldInfo> fields) {
+  const FieldInfo* const radius = length_of(fields, {"R", "r"}, "radius");
+  if (radius == nullptr) return {};
+  const auto typed = parse_literal(entry.value.text);
+  if (!typed || typed->dimension != radius->dimension)
+    return say("write the radius: {1} = \"... {2}\"", radius->key, radius->unit);
+  const FieldInfo* const ring = entry.key.starts_with('D') ? length_of(fields, {"R_0"}, "radius") : nullptr;
+  if (ring == nullptr) return say("write the radius: {1} = \"={2}/2\"", radius->key, entry.value.text);
+  return say("write the radius that is meant: {1} = \"={5}/2\" ({2}) or {3} = \"={5}/2\" ({4})", radius->key,
+             radius->doc, ring->key, ring->doc, entry.value.text);
+}
+
+/// "write r and measured = "inner"", for a radius of a wall with the surface that it is measured to: r_i, R_m.
+Message surface_meant(const std::string& key, std::span<const FieldInfo> fields) {
+  if (key.size() != 3 || key[1] != '_' || find_field(fields, "measured") == nullptr) return {};
+  const FieldInfo* const radius = length_of(fields, {key[0] == 'R' ? "R" : "r"}, "radius");
+  const char* const surface = key[2] == 'm'                    ? "mean"
+                              : key[2] == 'i'                  ? "inner"
+                              : key[2] == 'a' || key[2] == 'o' ? "outer"
+                                                               : nullptr;
+  if (radius == nullptr || surface == nullptr) return {};
+  return say("write {1} and measured = \"{2}\"", radius->key, surface);
+}
+
+}  // namespace
+
 Message size_meant(const toml::Tree::Entry& entry, std::span<const FieldInfo> fields) {
   const std::string& key = entry.key;
-  const auto typed = parse_literal(entry.value.text);
-  if (key == "D" || key == "d" || key == "D_i" || key == "D_a" || key == "d_i" || key == "d_a") {
-    const FieldInfo* const radius = length_of(fields, {"R", "r"}, "radius");
-    if (radius != nullptr && typed && typed->dimension == radius->dimension)
-      return say("write the radius: {1} = \"={2}/2\"", radius->key, entry.value.text);
-    return radius == nullptr ? Message{} : say("write the radius: {1} = \"... {2}\"", radius->key, radius->unit);
-  }
+  if (key == "D" || key == "d" || key == "D_i" || key == "D_a" || key == "d_i" || key == "d_a")
+    return radius_meant(entry, fields);
+  if (Message surface = surface_meant(key, fields); !surface.empty()) return surface;
   const FieldInfo* const thickness =
       key == "t" || key == "s" || key == "e" ? length_of(fields, {"delta"}, "thickness") : nullptr;
   return thickness == nullptr ? Message{} : say("did you mean '{1}' ({2})?", thickness->key, thickness->doc);

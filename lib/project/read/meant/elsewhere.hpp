@@ -26,8 +26,8 @@ Message value_within(std::string_view value, const FieldInfo& table, const std::
 /// "write the torque: T = \"=15 kW/(1450 rpm)\"", for P = "15 kW" where there is a torque T and no power.
 Message torque_of_power(const toml::Tree::Entry& entry, std::span<const FieldInfo> fields);
 
-/// "write the radius: R = "=1200 mm/2"", for D = "1200 mm" where there is a radius R; "did you mean 'delta' (nominal
-/// wall thickness)?" for t, s and e. Empty for other keys.
+/// "write the radius: R = "=1200 mm/2"", for D = "1200 mm" where there is a radius R; "write r and measured = "inner""
+/// for r_i; "did you mean 'delta' (nominal wall thickness)?" for t, s and e. Empty for other keys.
 Message size_meant(const toml::Tree::Entry& entry, std::span<const FieldInfo> fields);
 
 }  // namespace loadpath::project

@@ -179,18 +179,21 @@ class Ordering {
 
   bool name_cycle(std::size_t first) {
     std::string members, ways;
+    Message row;
     for (auto i = std::find(path_.begin(), path_.end(), first); i != path_.end(); ++i) {
       members += project_.steps[*i]->name() + " -> ";
       const std::size_t next = i + 1 == path_.end() ? first : *(i + 1);
       const auto edge = std::find_if(edges_[*i].begin(), edges_[*i].end(),
                                      [&](const Edge& e) { return e.to == next && !e.path.empty(); });
-      if (edge != edges_[*i].end())
-        ways += (ways.empty() ? "" : ", ") + how_taken(*project_.steps[*i], edge->path).text();
+      if (edge == edges_[*i].end()) continue;
+      ways += (ways.empty() ? "" : ", ") + how_taken(*project_.steps[*i], edge->path).text();
+      if (row.empty()) row = row_to_name(*project_.steps[next], edge->path);
     }
     const std::string& name = project_.steps[first]->name();
-    issues_.push_back({project_.steps[first]->input().place, name,
-                       say("circular reference between steps: {1}", members + name),
-                       say("{1}: write a value instead of one of these references", ways), Severity::error});
+    issues_.push_back(
+        {project_.steps[first]->input().place, name, say("circular reference between steps: {1}", members + name),
+         row.empty() ? say("{1}: write a value instead of one of these references", ways) : say("{1}; {2}", ways, row),
+         Severity::error});
     return false;
   }
 

@@ -38,6 +38,23 @@ TEST_SUITE("project order") {
     CHECK(own.find("help: a.T takes a.M_max (line 3): write a value instead") != std::string::npos);
   }
 
+  TEST_CASE(
+      "a size of a row that is searched for with the loads of its taker: the row, or its sizes, are to be given") {
+    const std::string said = issues_of(
+        "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"80 GPa\"\nR_e = \"370 MPa\"\nS_F = 1.5\npieces "
+        "= [{ l "
+        "= \"20 mm\", d = \"=bl.d\" }, { l = \"200 mm\", d = \"50 mm\" }]\nsupports = [{ name = \"left\", x = \"10 "
+        "mm\" "
+        "}, { x = \"210 mm\" }]\nseats = [{ x = \"110 mm\", F_x = \"4 kN\" }]\n\n[bl]\ncalculator = "
+        "\"bearing.rolling\"\nload = \"=axle.bearings.left\"\nn = \"900 rpm\"\nbearing = { stock = \"bearing/62\" "
+        "}\nL_h = \"10000 h\"\ns_0 = 1\n");
+    CHECK_MESSAGE(said.find("circular reference between steps: axle -> bl -> axle") != std::string::npos, said);
+    CHECK_MESSAGE(said.find("bl.d is of the row that 'bl' searches for: name a row there, bearing = \"...\", or") !=
+                      std::string::npos,
+                  said);
+    CHECK_MESSAGE(said.find("bearing = { where = \"d = ... mm\" }") != std::string::npos, said);
+  }
+
   TEST_CASE("a step outside of the circle is not named in it") {
     const std::string said = issues_of(step("first", "=a.M_max") + step("a", "=b.M_max") + step("b", "=a.M_max"));
     CHECK(said.starts_with("a.toml:5:2: error: circular reference between steps: a -> b -> a\n"));

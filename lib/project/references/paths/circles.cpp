@@ -37,4 +37,18 @@ Message how_taken(const Step& step, const std::string& path) {
   return say("{1} takes {2}", step.name(), path);
 }
 
+Message row_to_name(const Step& source, const std::string& path) {
+  const std::string key = path.substr(std::min(path.size(), source.name().size() + 1));
+  const FieldInfo* const field = find_field(source.input().calculator->input->fields, key);
+  if (field == nullptr) return {};
+  const auto& searches = source.input().reading.searches;
+  const auto search = std::find_if(searches.begin(), searches.end(),
+                                   [&](const Search& one) { return !one.leaf && one.path == field->provider.table; });
+  if (search == searches.end()) return {};
+  return say(
+      "{1} is of the row that '{2}' searches for: name a row there, {3} = \"...\", or write its sizes as numbers "
+      "and search only the rows that have them, {3} = { where = \"{4} = ... {5}\" }",
+      path, source.name(), search->path, key, field->unit);
+}
+
 }  // namespace loadpath::project

@@ -11,4 +11,8 @@ namespace loadpath::project {
 /// does so without an input of its own.
 Message how_taken(const Step& step, const std::string& path);
 
+/// "bl.d is of the row that 'bl' searches for: name a row there", for a value of a step of the circle that its search
+/// has to find first; empty for other values.
+Message row_to_name(const Step& source, const std::string& path);
+
 }  // namespace loadpath::project

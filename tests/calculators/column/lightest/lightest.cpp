@@ -110,6 +110,36 @@ TEST_SUITE("column lightest") {
     }
   }
 
+  TEST_CASE("of all rows of the families no lighter one passes column.buckling, by several methods") {
+    struct Row {
+      std::initializer_list<const char*> families;
+      double P, l;
+      Method method;
+    };
+    for (const Row& row : {Row{{"IPE", "UPN"}, 60, 2, Method::ec3}, Row{{"HEA", "L"}, 350, 5, Method::ec3},
+                           Row{{"SHS", "RHS"}, 150, 3, Method::johnson}, Row{{"W", "HEB"}, 2500, 6, Method::johnson},
+                           Row{{"UPN"}, 5000, 9, Method::ec3}}) {
+      auto in = column_of(row.families, row.P * kN, row.l * m);
+      in.method = row.method;
+      if (row.method == Method::johnson) in.n_st = 3.0;
+      const auto r = solve(in);
+      const auto passes = [&](const column::TableSection& section) {
+        const auto member = judged(in, section.name());
+        return member.u <= 1.0 && !(member.r_lambda > 1.0) && !(member.r_class > 1.0);
+      };
+      const auto is_in = [&](const column::TableSection& section) {
+        return std::any_of(row.families.begin(), row.families.end(),
+                           [&](std::string_view family) { return column::family_of(section.name()) == family; });
+      };
+      const auto& all = column::sections_by_mass();  // ascending
+      const auto first =
+          std::find_if(all.begin(), all.end(), [&](const auto& section) { return is_in(section) && passes(section); });
+      CAPTURE(r.section.view());
+      CHECK((first == all.end()) == (r.carrying == 0.0));
+      if (first != all.end()) CHECK(rel(in_si(r.q), in_si(first->m)) < 1e-12);
+    }
+  }
+
   TEST_CASE("the list holds what carries the bar, the lightest first") {
     const auto r = solve(column_of({"HEA", "HEB"}, 900.0 * kN, 4.5 * m));
     REQUIRE(r.candidates.size() == column::Lightest::Candidates::capacity());

@@ -120,6 +120,8 @@ struct Calculator {
   bool is_one_drive = false;
   /// The input with the required life without which the part is rated for endurance: "L_h"; empty: it has none.
   const char* life = "";
+  /// Whether `finish` is that of tooth flanks, whose processes leave other roughnesses than those of shafts.
+  bool has_flanks = false;
 
   [[nodiscard]] std::string_view element() const {
     const std::string_view all = id;

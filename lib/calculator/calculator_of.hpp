@@ -123,6 +123,7 @@ constexpr Calculator calculator_of() {
   if constexpr (requires { C::turns; }) c.turns = C::turns;
   if constexpr (requires { C::is_one_drive; }) c.is_one_drive = C::is_one_drive;
   if constexpr (requires { C::life; }) c.life = C::life;
+  if constexpr (requires { C::has_flanks; }) c.has_flanks = C::has_flanks;
   return c;
 }
 

@@ -359,6 +359,7 @@ S_Fmin = 1.4
   static constexpr std::array senses{SenseClaim{"T_1", "idler", "none, gear_1, gear_2", "both"}};
   static constexpr bool turns = true;
   static constexpr auto life = "L_h";
+  static constexpr bool has_flanks = true;
   static constexpr std::array modes{
       Mode<Input>{"pitting_1", "pitting, gear 1", &always<Input>}.judged_by("u_H1, x_eps"),
       Mode<Input>{"pitting_2", "pitting, gear 2", &always<Input>}.judged_by("u_H2, x_eps"),

@@ -25,8 +25,6 @@ constexpr std::array roughness_of_finish{Roughness{"ground", 0.0, 25e-6}, Roughn
 /// ones.
 constexpr std::array roughness_of_flanks{Roughness{"ground", 0.5e-6, 16e-6}, Roughness{"hobbed", 2.5e-6, 250e-6}};
 
-bool has_flanks(const Step& step) { return std::string_view(step.input().calculator->id) == "gear.rating"; }
-
 void compare_roughness(const Step& step, const Project& project, const Roughness& process,
                        std::vector<ReducedLoad>& found) {
   for (const char* const key : {"R_z", "R_z1", "R_z2"}) {
@@ -47,8 +45,9 @@ std::vector<ReducedLoad> surfaces_of(const Step& step, const Project& project) {
   if (!step.input().reading.typed.contains("finish")) return found;
   const Leaf finish = find_leaf(step.input().reading.record, "finish");
   if (!finish || finish.field->type != FieldInfo::Type::choice) return found;
-  const std::span<const Roughness> processes = has_flanks(step) ? std::span<const Roughness>(roughness_of_flanks)
-                                                                : std::span<const Roughness>(roughness_of_finish);
+  const std::span<const Roughness> processes = step.input().calculator->has_flanks
+                                                   ? std::span<const Roughness>(roughness_of_flanks)
+                                                   : std::span<const Roughness>(roughness_of_finish);
   for (const Roughness& process : processes) {
     if (word_of(finish) == process.finish) compare_roughness(step, project, process, found);
   }

@@ -60,6 +60,9 @@ TEST_SUITE("found values not taken") {
       CHECK(state(values, column, "c", "buckling") == "not-judged");
     CHECK(state("gamma_Q = 1.5", column, "c", "buckling") == "not-judged");
     CHECK(state("gamma_Q = 1.35", column, "c", "buckling") == "pass");
+    CHECK(state("impact_factor = 1.4", column, "c", "buckling") == "not-judged");  // gamma_F includes no impact
+    CHECK(state("load_factor = 1.35", column, "c", "buckling") == "pass");
+    CHECK(state("load_factor = 1.5", column, "c", "buckling") == "not-judged");
   }
 
   TEST_CASE("requirements on the wall of a vessel") {
@@ -167,8 +170,9 @@ TEST_SUITE("found values not taken") {
     };
     const std::string sound = crank("note = 1");
     CHECK(sound != "not-judged");
-    for (const char* const values : {"m_rod = \"3 kg\"", "rod_mass = \"3 kg\"", "m_slider = \"5 kg\"", "mu = 0.15",
-                                     "mu_B = 0.2", "k_spring = \"5 N/mm\""})
+    for (const char* const values :
+         {"m_rod = \"3 kg\"", "rod_mass = \"3 kg\"", "m_slider = \"5 kg\"", "m_piston = \"5 kg\"",
+          "conrod_mass = \"3 kg\"", "mu = 0.15", "mu_B = 0.2", "k_spring = \"5 N/mm\""})
       CHECK_MESSAGE(crank(values) == "not-judged", values);
     CHECK(crank("m_crank = \"5 kg\"", "links.crank.mass = \"=0.1*values.m_crank\"\n") == "not-judged");
     CHECK(crank("m_crank = \"5 kg\"", "links.crank.mass = \"=values.m_crank/2\"\n") == sound);

@@ -110,7 +110,8 @@ class Conditions {
     return name.starts_with("gamma_") && !name.starts_with("gamma_M") && !name.starts_with("gamma_R");
   }
 
-  /// A factor of the load of a part without an application factor, or with 1: "phi = 1.15" of a crane.
+  /// A factor of the load of a part without an application factor, or with 1: "phi = 1.15" of a crane. A partial
+  /// factor of actions, gamma_F, includes no impact.
   void compare_dynamic(const std::string& name, double si) {
     constexpr double most = 5.0;
     constexpr std::array<std::string_view, 9> names{"phi", "phi_dyn",        "f_dyn",       "k_dyn",        "f_w",
@@ -121,7 +122,8 @@ class Conditions {
                                                  "factor", "coefficient", "allowance", "phi", "psi", "f", "k", "load"});
     const bool is_one = is_factor || std::ranges::find(names, std::string_view(name)) != names.end() ||
                         (name == "f" && is_pin()) || (is_partial_of_load(name) && field("gamma_F") == nullptr);
-    if (!is_one || !(si > 1.0 + in_few_digits && si <= most) || own("K_A") > 1.0 || own("gamma_F") > 1.0) return;
+    const bool is_partial = name == "load_factor" && si <= (1.0 + in_few_digits) * own("gamma_F");
+    if (!is_one || !(si > 1.0 + in_few_digits && si <= most) || own("K_A") > 1.0 || is_partial) return;
     const std::string key = typed_load();
     if (key.empty()) return;
     add(key, say("values.{1} = {2} acts on no step: refer to it, delete it, or justify it: because.{3} = \"...\"", name,

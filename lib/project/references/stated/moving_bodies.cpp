@@ -5,6 +5,7 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <initializer_list>
@@ -12,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace loadpath::project {
 
@@ -41,15 +43,38 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
+/// Other names of a link in the slider-crank and its kin: of its driven body, of its rod.
+constexpr std::array links_of_one_name{
+    std::array<std::string_view, 7>{"slider", "piston", "plunger", "ram", "crosshead", "punch", "carriage"},
+    std::array<std::string_view, 7>{"rod", "conrod", "con_rod", "connecting_rod", "coupler", "pitman",
+                                    "connectingrod"}};
+
+/// The names of an element in small letters: its own, and those that no other element has.
+std::vector<std::string> names_of(const std::string& element, const std::set<std::string>& elements) {
+  std::vector<std::string> names{in_small_letters(element)};
+  const auto is_taken = [&](std::string_view name) {
+    return std::ranges::any_of(elements, [&](const std::string& other) { return in_small_letters(other) == name; });
+  };
+  for (const auto& alike : links_of_one_name) {
+    if (std::ranges::find(alike, std::string_view(names.front())) == alike.end()) continue;
+    for (const std::string_view name : alike) {
+      if (!is_taken(name)) names.emplace_back(name);
+    }
+    break;
+  }
+  return names;
+}
+
 /// The element that a name means after or before one of these words: "rod" of "m_rod" and "rod_mass"; empty if none.
 std::string meant_by(const std::string& name, const std::set<std::string>& elements,
                      std::initializer_list<std::string_view> words) {
   const std::string small = in_small_letters(name);
   for (const std::string& element : elements) {
-    const std::string own = in_small_letters(element);
-    for (const std::string_view word : words) {
-      const std::string before = std::string(word) + "_" + own, after = own + "_" + std::string(word);
-      if (small == before || small == after) return element;
+    for (const std::string& own : names_of(element, elements)) {
+      for (const std::string_view word : words) {
+        const std::string before = std::string(word) + "_" + own, after = own + "_" + std::string(word);
+        if (small == before || small == after) return element;
+      }
     }
   }
   return {};

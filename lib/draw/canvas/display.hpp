@@ -17,12 +17,13 @@ class Display {
 
   [[nodiscard]] double value(double si) const { return slope_ * si + offset_; }
   [[nodiscard]] std::string number(double si) const;    // "-86"
-  [[nodiscard]] std::string quantity(double si) const;  // "-86 N·m"
+  /// "-86 N·m"; with the power of an axis in its unit, "2.5 µm".
+  [[nodiscard]] std::string quantity(double si, int power = 0) const;
   [[nodiscard]] bool in_degrees() const { return degrees_; }
   [[nodiscard]] bool logarithmic() const { return scale_.logarithmic; }
   /// Whether a value of the display unit has a place on the scale.
   [[nodiscard]] bool has_place(double value) const { return drawable(value) && (!scale_.logarithmic || value > 0.0); }
-  /// "bending moment M in 10³ N·m", the symbol marked.
+  /// "bending moment M in kN·m" for a power of 3, the symbol marked.
   [[nodiscard]] std::string title(int power, bool with_meaning = true) const;
 
  private:

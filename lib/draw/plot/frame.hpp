@@ -6,6 +6,7 @@
 #include "lib/draw/canvas/ticks.hpp"
 
 #include <optional>
+#include <string>
 
 namespace loadpath::draw {
 
@@ -45,6 +46,9 @@ class PlotFrame {
   [[nodiscard]] bool empty() const { return empty_; }
   [[nodiscard]] const Display& x() const { return x_; }
   [[nodiscard]] const Display& y() const { return y_; }
+  /// A value with its unit, as the axis writes it.
+  [[nodiscard]] std::string x_quantity(double si) const { return x_.quantity(si, across_.power); }
+  [[nodiscard]] std::string y_quantity(double si) const { return y_.quantity(si, up_.power); }
 
   void draw(Canvas& canvas) const;
 

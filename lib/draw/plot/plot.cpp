@@ -76,7 +76,7 @@ void PlotPicture::draw_bounds() {
 void PlotPicture::label_bound(const figure::Bound& bound) {
   const auto end = frame_.left_end(bound.y);
   if (!end) return;
-  const Text text = typeset(symbol(bound.label) + " " + frame_.y().quantity(bound.y));
+  const Text text = typeset(symbol(bound.label) + " " + frame_.y_quantity(bound.y));
   const double wide = width(text, text_size), room = frame_.area().width() - wide - 8.0;
   std::vector<Candidate> places;
   for (int eighth = 0; eighth <= 8; ++eighth) {
@@ -100,8 +100,8 @@ void PlotPicture::draw_marks() {
 void PlotPicture::label_mark(const figure::Mark& mark) {
   const auto dot = frame_.place(mark.x, mark.y);
   if (!dot) return;
-  const std::string value = symbol(mark.label) + " " + with_minus(frame_.y().quantity(mark.y));
-  const Text text = typeset(say("{1} at {2}", value, with_minus(frame_.x().quantity(mark.x))).text());
+  const std::string value = symbol(mark.label) + " " + with_minus(frame_.y_quantity(mark.y));
+  const Text text = typeset(say("{1} at {2}", value, with_minus(frame_.x_quantity(mark.x))).text());
   canvas_.centred_text("halo", labels_.place(around(*dot, 7.0, width(text, text_size))), text);
 }
 

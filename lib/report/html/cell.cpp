@@ -46,7 +46,7 @@ struct CellText {
   std::string operator()(State s) const { return state(s); }
   std::string operator()(const Utilisation& u) const { return kept(utilisation_text(u.value)) + bar(u.value); }
   std::string operator()(const Sized& s) const {
-    return "<b class=\"sized\">" + escaped(s.text) + "*</b>" + escaped(s.behind());
+    return "<b class=\"sized\">" + prose(s.text) + "*</b>" + prose(s.behind());
   }
 };
 

@@ -50,19 +50,40 @@ std::string with_subscript(std::string_view word) {
   return escaped(word.substr(0, bar)) + "<sub>" + escaped(below) + "</sub>";
 }
 
+/// The end of a word; the second index of "p_adm,1" belongs to it.
+std::size_t end_of_word(std::string_view text, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < text.size() && is_of_symbol(text[end])) ++end;
+  const auto is_digit = [&](std::size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
+  const bool has_second = end < text.size() && text[end] == ',' && is_digit(end + 1) && !is_digit(end + 2) &&
+                          is_indexed(text.substr(begin, end - begin));
+  return has_second ? end + 2 : end;
+}
+
+/// Whether it is the 2 of "s^2", between no quotes, where the user types it so.
+bool is_exponent(std::string_view text, std::size_t begin, std::string_view word) {
+  if (begin < 2 || text[begin - 1] != '^' || text.find('"') != std::string_view::npos) return false;
+  return word.size() == 1 && word.front() >= '2' && word.front() <= '9';
+}
+
 }  // namespace
 
 std::string prose(std::string_view text) {
   std::string out;
   for (std::size_t begin = 0; begin < text.size();) {
-    std::size_t end = begin;
-    while (end < text.size() && is_of_symbol(text[end])) ++end;
+    const std::size_t end = end_of_word(text, begin);
     const std::string_view word = text.substr(begin, end - begin);
-    out += is_indexed(word) && !is_typed(text, begin, end) ? with_subscript(word) : escaped(word);
+    if (is_exponent(text, begin, word)) {
+      out.back() = '<';  // in place of the circumflex
+      out += "sup>" + std::string(word) + "</sup>";
+    } else {
+      out += is_indexed(word) && !is_typed(text, begin, end) ? with_subscript(word) : escaped(word);
+    }
     begin = end;
-    while (end < text.size() && !is_of_symbol(text[end])) ++end;
-    out += escaped(text.substr(begin, end - begin));
-    begin = end;
+    std::size_t next = begin;
+    while (next < text.size() && !is_of_symbol(text[next])) ++next;
+    out += escaped(text.substr(begin, next - begin));
+    begin = next;
   }
   return out;
 }

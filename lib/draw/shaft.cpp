@@ -93,7 +93,7 @@ void ShaftPicture::place_torques(const figure::Shaft& shaft) {
   for (const auto& torque : shaft.torques) {
     if (!drawable(torque.x) || !drawable(torque.value) || torque.value == 0.0) continue;
     const std::string value = with_minus(format_quantity(torque.value, "N*m", 4));
-    std::string words = torque.label.empty() ? value : say("{1} = {2}", symbol(torque.label), value).text();
+    std::string words = torque.label.empty() ? value : say("{1}: {2}", symbol(torque.label), value).text();
     if (acts(torque.force)) words = say("{1}, {2}", words, format_quantity(torque.force, "N", 4)).text();
     const Text text = typeset(words);
     const double half = 0.5 * width(text, text_size);

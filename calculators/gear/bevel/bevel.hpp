@@ -33,7 +33,7 @@ struct Bevel : BevelTypes {
       "2003, with the geometry factors I and J from its charts as inputs; spiral and hypoid gears are not covered.";
   static constexpr auto source = "[AGMA2003], [KHK-bevel], [Inventor-bevel]";
   static constexpr auto headline = "z {z_1}/{z_2}, m {m_et}";
-  static constexpr auto details = "S_H = {S_H1}/{S_H2}, S_F = {S_F1}/{S_F2}";
+  static constexpr auto details = "b = {b}, S_H = {S_H1}/{S_H2}, S_F = {S_F1}/{S_F2}|b = {b}";
   static constexpr auto synonyms =
       "bevel gear, straight bevel gear, mitre gear, miter gear, right-angle gear, pitch cone, cone distance, virtual "
       "number of teeth, AGMA 2003, Gleason, Tredgold, bevel pinion, Kegelrad, Kegelradgetriebe, Kegelradpaar, "

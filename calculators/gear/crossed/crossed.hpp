@@ -13,8 +13,10 @@
 #include "calculators/gear/crossed/types.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::gear {
 
@@ -25,8 +27,9 @@ struct Crossed : CrossedTypes {
       "Geometry, sliding, efficiency, self-locking and forces of crossed helical gears; wear and pitting by a load "
       "value with its allowable value as an input; tooth breakage and heat are not covered.";
   static constexpr auto source = "[SDP-SI-crossed], [Roloff-crossed], [Spiral-gears]";
-  static constexpr auto headline = "i = {i}";
-  static constexpr auto details = "efficiency {eta}, centre distance {a}";
+  static constexpr auto headline = "z {z_1}/{z_2}, m {m_n}";
+  static constexpr auto details =
+      "b_1 = {b_1}, beta_1 = {beta_1}, beta_2 = {beta_2}, efficiency {eta}, centre distance {a}";
   static constexpr auto synonyms =
       "crossed helical gear, screw gear, spiral gear, skew gear, crossed axes, shaft angle, sliding velocity, "
       "self-locking, Schraubradgetriebe, Schraubwälzgetriebe, винтовая передача, "
@@ -150,6 +153,7 @@ C_adm = "2 MPa"
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 }  // namespace loadpath::gear

@@ -13,9 +13,11 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 #include "lib/quantity/drive_units.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::gear {
 
@@ -26,7 +28,8 @@ struct Cycloidal {
       "Geometry, contact ratio after the line of centres, pressure angle and sliding of a cycloidal wheel that drives "
       "a pinion with radial flanks or a lantern pinion; pinion addenda and tooth strength are not covered.";
   static constexpr auto source = "[BS978-2], [TecScience-lantern]";
-  static constexpr auto headline = "h_a2 = {h_a2}";
+  static constexpr auto headline = "z {z_1}/{z_2}, m {m}";
+  static constexpr auto details = "d_p = {d_p}, tip diameter {d_a2}|tip diameter {d_a2}";
   static constexpr auto synonyms =
       "cycloidal gear, lantern gear, lantern pinion, pin gear, trundle, clock gear, watch gear, epicycloid, cycloidal "
       "teeth, Zykloidenverzahnung, Triebstockverzahnung, Uhrenverzahnung, циклоидное зацепление, цевочное зацепление";
@@ -121,6 +124,7 @@ d_p = "3 mm"
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 constexpr auto choices_of(Cycloidal::Pinion) {

@@ -34,8 +34,8 @@ struct Worm : WormTypes {
       "and wear of a bronze wheel by ANSI/AGMA 6034, tooth bending by Buckingham, and the heat of the case; deflection "
       "of the worm is not covered.";
   static constexpr auto source = "[AGMA6034], [EngineersEdge-worm], [Shigley-15-32], [KHK-worm], [Inventor]";
-  static constexpr auto headline = "i = {i}";
-  static constexpr auto details = "efficiency {eta}, centre distance {a}";
+  static constexpr auto headline = "z {z_1}/{z_2}, m {m_x}";
+  static constexpr auto details = "d_1 = {d_1}, b_2 = {b_2}, efficiency {eta}, centre distance {a}";
   static constexpr auto synonyms =
       "worm gear, worm, worm wheel, worm drive, lead angle, self-locking, sliding velocity, AGMA 6034, Buckingham, "
       "right-angle gear, worm reducer, heat dissipation, cooling, oil temperature, "

@@ -1,6 +1,7 @@
 #include "lib/report/brief/derivations.hpp"
 
 #include "lib/report/appendix.hpp"
+#include "lib/report/brief/names.hpp"
 #include "lib/report/columns.hpp"
 #include "lib/report/why.hpp"
 #include "lib/report/worked.hpp"
@@ -46,7 +47,11 @@ Panel panel_of(const Governing& row, const project::Step& step, const std::vecto
     panel.remark = panel.remark.empty() ? before : say("{1}; {2}", panel.remark, before);
   }
   Derivation derivation;
-  for (const Derived& line : lines) derivation.steps.push_back(line.step);
+  for (const Derived& line : lines) {
+    derivation.steps.push_back(line.step);
+    Message& why = derivation.steps.back().why;
+    if (!why.empty()) why = say("{1}", with_greek(why.text()));
+  }
   panel.blocks.emplace_back(std::move(derivation));
   return panel;
 }

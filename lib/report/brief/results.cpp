@@ -244,6 +244,17 @@ std::string step_names(const std::vector<const Step*>& steps) {
   return capitalised(all);
 }
 
+/// Utilisations with four decimals: "4.6e-05" of an unloaded end says no more than 0.
+void round_utilisations(Table& table) {
+  constexpr double decimals = 1e4;
+  for (std::size_t i = 0; i < table.head.size(); ++i) {
+    if (!is_symbol(table.head[i]) || !table.head[i].args[0].text().starts_with("u_")) continue;
+    for (auto& row : table.rows) {
+      if (auto* const q = std::get_if<Quantity>(&row[i])) q->si = std::round(decimals * q->si) / decimals;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Panel> list_panels(const project::Step& step, const account::Modes& modes) {
@@ -254,6 +265,7 @@ std::vector<Panel> list_panels(const project::Step& step, const account::Modes& 
     table.head.front() = say("Name");
     for (auto& row : table.rows) row.front() = spoken(std::get<std::string>(row.front()));
     fit_into_line(table, indispensable_fields(step, modes));
+    round_utilisations(table);
     panels.push_back({std::move(title), say("{1}", component_name(step)), {std::move(table)}});
   }
   return panels;

@@ -3,15 +3,17 @@
 #include "lib/report/brief/derivations.hpp"
 #include "lib/report/brief/fields.hpp"
 #include "lib/report/brief/figures.hpp"
+#include "lib/report/brief/filling.hpp"
 #include "lib/report/brief/governing.hpp"
 #include "lib/report/brief/heights.hpp"
 #include "lib/report/brief/inputs.hpp"
+#include "lib/report/brief/names.hpp"
 #include "lib/report/brief/results.hpp"
 #include "lib/report/brief/sizes.hpp"
 #include "lib/report/columns.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
 #include <optional>
 #include <utility>
 
@@ -60,6 +62,7 @@ class Pages {
   [[nodiscard]] bool is_figure_compact() const;
   void add_main(double room, Page& page);
   void add_figure(const StepFigure& figure, bool whole, Panel& panel);
+  void name_step(const StepFigure& figure, figure::Figure& shown) const;
   void name_shaft(const StepFigure& figure, Panel& panel) const;
   void add_shafts(Page& page);
   [[nodiscard]] const project::Step* main_step() const { return main_.empty() ? nullptr : main_.back().step; }
@@ -87,9 +90,24 @@ bool Pages::is_short() const {
   return height > 0.0 && height <= most_height;
 }
 
+/// Where figures of several steps have the same caption, each names its step.
+void Pages::name_step(const StepFigure& figure, figure::Figure& shown) const {
+  const auto is_alike = [&](const auto& other) {
+    return std::ranges::any_of(other->account().figures, [&](const figure::Figure& of_other) {
+      return other.get() != figure.step && of_other.caption == figure.figure->caption;
+    });
+  };
+  if (shown.caption.empty() || std::ranges::none_of(project_.steps, is_alike)) return;
+  std::string caption = say(shown.caption).text();
+  caption.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(caption.front())));
+  shown.caption = say("{1}: {2}", capitalised(component_name(*figure.step)), caption).text();
+}
+
 void Pages::add_figure(const StepFigure& figure, bool whole, Panel& panel) {
   figure::Figure shown = marked(figure);
-  panel.blocks.emplace_back(whole ? std::move(shown) : in_brief(shown));
+  if (!whole) shown = in_brief(shown);
+  name_step(figure, shown);
+  panel.blocks.emplace_back(std::move(shown));
   if (whole || is_brief(*figure.figure)) shown_.insert(figure.figure);
 }
 
@@ -300,30 +318,6 @@ Page Pages::checking() {
   return page;
 }
 
-/// Of a band of one derivation or of the references.
-double height_of_lines(const Band& band) {
-  constexpr double heading = 9.0;  // mm
-  double height = 0.0;
-  for (const Block& block : band.front().panels.front().blocks) {
-    if (const auto* const lines = std::get_if<Derivation>(&block)) height += height_of(*lines);
-  }
-  return height > 0.0 ? heading + height : height_of(band.front().panels.front(), half + other_half);
-}
-
-/// The citations that fit into a height.
-Table fitting(Table sources, double height) {
-  constexpr double letters_in_line = 105.0, of_line = 3.3, gap = 0.9;  // mm
-  std::size_t count = 0;
-  for (const auto& row : sources.rows) {
-    height -= gap + of_line * std::ceil(letters_of(std::get<std::string>(row.back())) / letters_in_line);
-    if (height < 0.0) break;
-    ++count;
-  }
-  sources.rows.resize(count);
-  sources.caption = {};
-  return sources;
-}
-
 void Pages::add_derivations(double height, Page& page) const {
   constexpr double of_sources = 42.0, heading = 14.0;  // mm
   Derivations derivations = governing_derivations(project_, rows_, height - of_sources);
@@ -363,13 +357,15 @@ Band appendix_note() {
 }
 
 Brief Pages::all() {
-  constexpr double rest_of_page = 110.0;  // mm
+  constexpr double rest_of_page = 110.0, lower = 30.0, reserve = 12.0;  // mm; compact figures are lower than the most
   std::vector<Page> pages{deciding()};
+  const double free = rest_ + (is_figure_compact() ? lower : 0.0) - reserve;
   if (is_short()) {
     add_derivations(rest_of_page, pages.front());
   } else {
     pages.push_back(checking());
     add_recomputing(pages);
+    if (project_.steps.size() == 1 && pages.size() == 2 && !are_diagrams_shown_) fill_first(free, pages);
   }
   pages.back().bands.push_back(appendix_note());
   return {std::move(pages), std::move(shown_)};

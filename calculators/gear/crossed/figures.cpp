@@ -119,7 +119,7 @@ void add_forces(const Input& in, const Result& r, Drawing::View& view) {
   const double sense = in.turns == Turns::ccw ? -1.0 : 1.0;
   view.forces.push_back({pitch, {0.0, sense * in_si(r.F_t1)}, {"F_t1", in_si(r.F_t1), "N"}, true});
   view.forces.push_back({pitch, {-in_si(r.F_r), 0.0}, {"F_r", in_si(r.F_r), "N"}, true});
-  view.note = say("tooth forces on gear 1, nominal; F_a1 acts along its axis").text();
+  view.note = say("forces on gear 1, nominal").text();
 }
 
 void add_first_as_disc(const Input& in, const Result& r, Drawing::View& view) {
@@ -149,7 +149,8 @@ Drawing::View along_first(const Input& in, const Result& r) {
   view.lengths.push_back({{0.0, 0.0}, {a, 0.0}, {"a", a, "mm"}, Drawing::Side::below});
   view.lengths.push_back({{0.0, -r_1}, {0.0, r_1}, {"d_1", 2.0 * r_1, "mm"}, Drawing::Side::left});
   view.lengths.push_back({{a - r_2, edge}, {a + r_2, edge}, {"d_2", 2.0 * r_2, "mm"}, Drawing::Side::above});
-  view.names.push_back({{0.0, 0.0}, say("gear 1").text(), Drawing::Value{"z_1", static_cast<double>(in.z_1), ""}});
+  const Drawing::Value z_1{"z_1", static_cast<double>(in.z_1), ""};
+  view.names.push_back({{-0.3 * in_si(r.d_a1), -0.62 * in_si(r.d_a1)}, say("gear 1").text(), z_1, false});
   view.names.push_back({{a, 0.0}, say("gear 2").text(), Drawing::Value{"z_2", static_cast<double>(in.z_2), ""}});
   add_forces(in, r, view);
   return view;
@@ -180,7 +181,6 @@ Drawing::View along_centres(const Input& in, const Result& r) {
                           {"b_2", b_2, "mm"},
                           is_square(in) ? Drawing::Side::above : Drawing::Side::in_place});
   view.angles.push_back({{0.0, 0.0}, 0.92 * reach, 0.5 * pi, -r.Sigma, {"Sigma", r.Sigma, "deg"}});
-  view.note = say("crests of the teeth").text();
   return view;
 }
 

@@ -14,6 +14,14 @@ namespace {
 
 using namespace shaft;
 
+/// "T_1 = 900 N·m" of a symbol, "pulley: 900 N·m" of a component.
+std::string labelled(const std::string& label, const std::string& value) {
+  constexpr std::size_t longest_symbol = 2;
+  if (label.empty()) return value;
+  const bool is_symbol = std::min(label.find('_'), label.size()) <= longest_symbol;
+  return say(is_symbol ? "{1} = {2}" : "{1}: {2}", symbol(label), value).text();
+}
+
 class ShaftPicture {
  public:
   explicit ShaftPicture(const figure::Shaft& shaft);
@@ -93,7 +101,7 @@ void ShaftPicture::place_torques(const figure::Shaft& shaft) {
   for (const auto& torque : shaft.torques) {
     if (!drawable(torque.x) || !drawable(torque.value) || torque.value == 0.0) continue;
     const std::string value = with_minus(format_quantity(torque.value, "N*m", 4));
-    std::string words = torque.label.empty() ? value : say("{1}: {2}", symbol(torque.label), value).text();
+    std::string words = labelled(torque.label, value);
     if (acts(torque.force)) words = say("{1}, {2}", words, format_quantity(torque.force, "N", 4)).text();
     const Text text = typeset(words);
     const double half = 0.5 * width(text, text_size);

@@ -57,6 +57,7 @@ TEST_SUITE("draw") {
     shaft.torques = {{0.03, 89.93, "coupling"}, {0.093, -89.93, "pinion", 1150.0}};
     const std::string text = drawn(shaft);
     for (const char* label : {"Ø28", "Ø35.5*", "Ø44.02", "Ø38"}) CHECK_MESSAGE(says(text, label), label);
+    CHECK(says(text, "pinion: −89.93 N·m, 1150 N"));
     CHECK(!has(text, "rotate"));
     CHECK(overlap(text) == "");
   }

@@ -1,6 +1,7 @@
 // The pages of a report that decide, check and recompute, for every example.
 #include "calculators/catalogue.hpp"
 #include "lib/account/conclusion.hpp"
+#include "lib/figure/figure.hpp"
 #include "lib/project/project.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
@@ -14,7 +15,9 @@
 #include <filesystem>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -62,6 +65,17 @@ const project::Project& machine(const std::string& name) {
   static std::map<std::string, project::Project> solved_ones;
   const auto found = solved_ones.find(name);
   return found != solved_ones.end() ? found->second : solved_ones.emplace(name, solved(name)).first->second;
+}
+
+/// The example of a calculator.
+project::Project described(std::string_view id) {
+  const Calculator* const found = find_calculator(calculators(), id);
+  REQUIRE(found != nullptr);
+  std::vector<Issue> issues;
+  project::Project project = project::read_project(found->example, "example.toml", catalogue(), issues);
+  project::solve(project, issues);
+  REQUIRE(issues.empty());
+  return project;
 }
 
 Document brief_of(const project::Project& project) {
@@ -128,6 +142,26 @@ TEST_SUITE("report pages" * test::by_example) {
       CHECK(document.finding.headline == account::conclude(project::modes(project)).headline);
       CHECK(document.blocks.empty());
     }
+  }
+
+  TEST_CASE("each figure has a caption of its own") {
+    for (const std::string& name : examples()) {
+      CAPTURE(name);
+      std::set<std::string> captions;
+      const Document document = brief_of(machine(name));
+      for (const Panel* panel : panels_of(document)) {
+        for (const report::Block& block : panel->blocks) {
+          if (const auto* const figure = std::get_if<figure::Figure>(&block))
+            CHECK_MESSAGE(captions.insert(figure->caption).second, figure->caption);
+        }
+      }
+    }
+  }
+
+  TEST_CASE("a half-empty page 1 of a single step is filled with its inputs") {
+    const Document document = brief_of(described("gear.cycloidal"));
+    REQUIRE(document.pages.size() == 1);
+    CHECK(panel_of(document, "Input data") != nullptr);
   }
 
   TEST_CASE("of the governing modes each has a number, the failing ones come first, then the most utilised") {

@@ -16,13 +16,21 @@ namespace {
 
 constexpr double page_width = 171.0;  // mm, without the gap between columns
 
-bool has_figure(const Band& band) {
-  return std::ranges::any_of(band, [](const Stack& stack) {
-    return std::ranges::any_of(stack.panels, [](const Panel& panel) {
-      return std::ranges::any_of(panel.blocks,
-                                 [](const Block& block) { return std::holds_alternative<figure::Figure>(block); });
-    });
-  });
+/// With figures, as the style sheet limits them.
+double full_height(const Band& band) {
+  constexpr double of_figure = 75.0;  // mm
+  double highest = std::max(height_of_lines(band), height_of(band));
+  for (const Stack& stack : band) {
+    double height = 0.0;
+    for (const Panel& panel : stack.panels) {
+      height += height_of(panel, stack.share);
+      height += of_figure * static_cast<double>(std::ranges::count_if(panel.blocks, [](const Block& block) {
+                  return std::holds_alternative<figure::Figure>(block);
+                }));
+    }
+    highest = std::max(highest, height);
+  }
+  return highest;
 }
 
 }  // namespace
@@ -50,17 +58,20 @@ Table fitting(Table sources, double height) {
   return sources;
 }
 
-void fill_first(double free, std::vector<Page>& pages) {
-  std::vector<Band>& next = pages[1].bands;
-  std::size_t count = 0;
-  for (; count < next.size() && !has_figure(next[count]); ++count) {
-    free -= std::max(height_of_lines(next[count]), height_of(next[count]));
-    if (free < 0.0) break;
+void refill(double free, std::vector<Page>& pages) {
+  constexpr double page_height = 252.0;  // mm
+  std::vector<Band> bands;
+  for (std::size_t i = 1; i < pages.size(); ++i) std::ranges::move(pages[i].bands, std::back_inserter(bands));
+  pages.resize(1);
+  for (Band& band : bands) {
+    const double height = full_height(band);
+    if (height > free) {
+      pages.emplace_back();
+      free = page_height;
+    }
+    free -= height;
+    pages.back().bands.push_back(std::move(band));
   }
-  const auto end = next.begin() + static_cast<std::ptrdiff_t>(count);
-  std::move(next.begin(), end, std::back_inserter(pages.front().bands));
-  next.erase(next.begin(), end);
-  if (next.empty()) pages.pop_back();
 }
 
 }  // namespace loadpath::report

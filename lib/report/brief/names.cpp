@@ -51,6 +51,8 @@ std::string with_greek(std::string_view words) {
 
 std::string short_name(const Entry& entry) {
   std::string name = with_greek(say("{1}", entry.doc).text());
+  const std::size_t behind = name.find(": ");  // "revolute, slot: radius of the pin"
+  if (entry.path.starts_with("joints") && behind != std::string::npos) name.erase(0, behind + 2);
   const std::size_t comma = name.find(", ");
   const std::size_t end = std::min({name.find(" ("), name.find(':'), name.find(';'), comma});
   const std::size_t element = end == comma ? end_of_element(name, comma) : std::string::npos;

@@ -1,6 +1,7 @@
 #include "calculators/gear/crossed/crossed.hpp"
 
 #include "calculators/catalogue.hpp"
+#include "lib/figure/drawing.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "tests/calculators/evaluated.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -150,5 +152,26 @@ TEST_SUITE("gear crossed") {
     says(right + "P = \"1 kW\"\n", "a power needs the speed n_1");
     says(right + "C_adm = \"2 MPa\"\n", "the allowable load value C_adm needs a load");
     says(right + "h_fP = 0.9\n", "the dedendum must exceed the addendum");
+  }
+
+  TEST_CASE("the figure shows both gears with their dimensions") {
+    const auto in = gears(15, 30, 2.0, 35.0, 25.0);
+    const auto r = solve(in);
+    const std::vector<figure::Figure> figures = Crossed::figures(in, r);
+    REQUIRE(figures.size() == 1);
+    const figure::Drawing& drawing = *std::get<figure::Drawn>(figures[0].content);
+    REQUIRE(drawing.views.size() == 2);
+    const auto& lengths = drawing.views[0].lengths;
+    REQUIRE(lengths.size() == 3);
+    CHECK(rel(lengths[0].to.x - lengths[0].from.x, in_si(r.a)) < 1e-12);
+    CHECK(rel(lengths[1].to.y - lengths[1].from.y, in_si(r.d_1)) < 1e-12);
+    CHECK(rel(lengths[2].to.x - lengths[2].from.x, in_si(r.d_2)) < 1e-12);
+    CHECK(drawing.views[0].forces.size() == 2);
+    CHECK(drawing.views[1].angles.at(0).value.si == r.Sigma);
+    for (const auto& view : drawing.views) {
+      for (const auto& path : view.paths) {
+        for (const figure::Point point : path.points) CHECK(std::isfinite(point.x + point.y));
+      }
+    }
   }
 }

@@ -1,15 +1,19 @@
 #include "calculators/gear/cycloidal/cycloidal.hpp"
 
 #include "calculators/catalogue.hpp"
+#include "lib/figure/drawing.hpp"
 #include "lib/project/project.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <variant>
+#include <vector>
 
 namespace {
 
@@ -133,6 +137,25 @@ TEST_SUITE("gear cycloidal") {
           CHECK(r.f > 0.0);
           CHECK(r.phi_a > 0.0);
         }
+      }
+    }
+  }
+
+  TEST_CASE("the figure shows the mesh: contact ends at the tip of the wheel, and the dimensions are the results") {
+    for (const auto& in : {clock_pair(10, 6.4), lantern(10, 60, 2.0, 3.0)}) {
+      const auto r = solve(in);
+      const std::vector<figure::Figure> figures = gear::Cycloidal::figures(in, r);
+      REQUIRE(figures.size() == 1);
+      const figure::Drawing& drawing = *std::get<figure::Drawn>(figures[0].content);
+      REQUIRE(drawing.views.size() == 2);
+      CHECK(drawing.views[0].lengths[0].value.si == in_si(r.a));
+      CHECK(drawing.views[0].lengths[3].value.si == in_si(r.d_a2));
+      const auto& names = drawing.views[1].names;
+      const auto end = std::ranges::find(names, std::string("E"), &figure::Drawing::Name::words);
+      REQUIRE(end != names.end());
+      CHECK(rel(2.0 * std::hypot(end->at.x - in_si(r.a), end->at.y), in_si(r.d_a2)) < 1e-9);
+      for (const auto& path : drawing.views[1].paths) {
+        for (const figure::Point point : path.points) CHECK(std::isfinite(point.x + point.y));
       }
     }
   }

@@ -28,6 +28,9 @@ TEST_SUITE("report") {
       CAPTURE(typed);
       CHECK(contains(paragraph(typed), typed));
     }
+    CHECK(contains(paragraph("in p_adm,1, 40 MPa"), "in p<sub>adm,1</sub>, 40 MPa"));
+    CHECK(contains(paragraph("s^2/(6 h m_n)"), "s<sup>2</sup>/(6 h m<sub>n</sub>)"));
+    CHECK(contains(paragraph("give A = \"5 mm^2\""), "5 mm^2"));
     CHECK(contains(paragraph("gear ratio z_2/z_1"), "z<sub>2</sub>/z<sub>1</sub>"));
     CHECK(contains(paragraph("235 MPa/R_e, 1/c_2"), "235 MPa/R<sub>e</sub>, 1/c<sub>2</sub>"));
     CHECK(contains(paragraph("of sections/I_80"), "of sections/I_80"));

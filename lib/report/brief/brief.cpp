@@ -357,7 +357,7 @@ Band appendix_note() {
 }
 
 Brief Pages::all() {
-  constexpr double rest_of_page = 110.0, lower = 30.0, reserve = 12.0, half_empty = 80.0;  // mm
+  constexpr double rest_of_page = 110.0, lower = 30.0, reserve = 8.0;  // mm; compact figures are lower than the most
   std::vector<Page> pages{deciding()};
   const double free = rest_ + (is_figure_compact() ? lower : 0.0) - reserve;
   if (is_short()) {
@@ -365,7 +365,7 @@ Brief Pages::all() {
   } else {
     pages.push_back(checking());
     add_recomputing(pages);
-    if (project_.steps.size() == 1 && !are_diagrams_shown_ && free >= half_empty) refill(free, pages);
+    if (project_.steps.size() == 1 && !are_diagrams_shown_) fill_first(free, pages);
   }
   pages.back().bands.push_back(appendix_note());
   return {std::move(pages), std::move(shown_)};

@@ -16,10 +16,11 @@ namespace {
 
 constexpr double page_width = 171.0;  // mm, without the gap between columns
 
-/// With figures, as the style sheet limits them.
+/// With figures, as the style sheet limits them. A single stack is as wide as the page.
 double full_height(const Band& band) {
   constexpr double of_figure = 75.0;  // mm
-  double highest = std::max(height_of_lines(band), height_of(band));
+  if (band.size() == 1 && band.front().panels.size() == 1) return height_of_lines(band);
+  double highest = 0.0;
   for (const Stack& stack : band) {
     double height = 0.0;
     for (const Panel& panel : stack.panels) {
@@ -58,20 +59,26 @@ Table fitting(Table sources, double height) {
   return sources;
 }
 
-void refill(double free, std::vector<Page>& pages) {
+void fill_first(double free, std::vector<Page>& pages) {
   constexpr double page_height = 252.0;  // mm
-  std::vector<Band> bands;
-  for (std::size_t i = 1; i < pages.size(); ++i) std::ranges::move(pages[i].bands, std::back_inserter(bands));
-  pages.resize(1);
-  for (Band& band : bands) {
-    const double height = full_height(band);
-    if (height > free) {
-      pages.emplace_back();
-      free = page_height;
-    }
-    free -= height;
-    pages.back().bands.push_back(std::move(band));
+  std::vector<Band>& next = pages[1].bands;
+  auto end = next.begin();
+  for (; end != next.end() && full_height(*end) <= free; ++end) free -= full_height(*end);
+  const bool moves_all = end == next.end(), has_third = pages.size() > 2;
+  if (has_third && !moves_all) {
+    // Otherwise page 2 would be the emptier.
+    double rest = 0.0;
+    for (auto band = end; band != next.end(); ++band) rest += full_height(*band);
+    for (const Band& band : pages[2].bands) rest += full_height(band);
+    if (pages.size() > 3 || rest > page_height) return;
+    const auto moved = end - next.begin();
+    std::ranges::move(pages[2].bands, std::back_inserter(next));
+    pages.pop_back();
+    end = next.begin() + moved;
   }
+  std::move(next.begin(), end, std::back_inserter(pages.front().bands));
+  next.erase(next.begin(), end);
+  if (next.empty()) pages.erase(pages.begin() + 1);
 }
 
 }  // namespace loadpath::report

@@ -13,7 +13,7 @@ double height_of_lines(const Band& band);
 /// The citations that fit into a height.
 Table fitting(Table sources, double height);
 
-/// Fills the free height of page 1, mm, with what follows it, and the next pages after it.
-void refill(double free, std::vector<Page>& pages);
+/// Moves the first bands of page 2 into the free height of page 1, mm, unless this would leave more pages half empty.
+void fill_first(double free, std::vector<Page>& pages);
 
 }  // namespace loadpath::report

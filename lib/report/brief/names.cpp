@@ -32,6 +32,14 @@ std::size_t end_of_element(std::string_view name, std::size_t comma) {
   return end > blank + 1 && is_last ? end : std::string::npos;
 }
 
+/// "revolute, slot: radius of the pin": the types of joints that have the input are no name.
+void drop_joint_types(std::string& name) {
+  for (const char* type : {"revolute", "prismatic", "rolling", "inner joint"}) {
+    const std::size_t colon = name.starts_with(type) ? name.find(": ") : std::string::npos;
+    if (colon != std::string::npos) name.erase(0, colon + 2);
+  }
+}
+
 }  // namespace
 
 std::string with_greek(std::string_view words) {
@@ -51,8 +59,7 @@ std::string with_greek(std::string_view words) {
 
 std::string short_name(const Entry& entry) {
   std::string name = with_greek(say("{1}", entry.doc).text());
-  const std::size_t behind = name.find(": ");  // "revolute, slot: radius of the pin"
-  if (entry.path.starts_with("joints") && behind != std::string::npos) name.erase(0, behind + 2);
+  drop_joint_types(name);
   const std::size_t comma = name.find(", ");
   const std::size_t end = std::min({name.find(" ("), name.find(':'), name.find(';'), comma});
   const std::size_t element = end == comma ? end_of_element(name, comma) : std::string::npos;

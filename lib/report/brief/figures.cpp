@@ -149,7 +149,10 @@ figure::Figure in_brief(const figure::Figure& figure) {
     brief.caption.resize(brief.caption.size() - of_screen.size());
   if (const auto* const drawn = std::get_if<figure::Drawn>(&figure.content)) {
     figure::Drawing drawing = **drawn;
-    drawing.views.resize(first_row(drawing));
+    // "The pair in the transverse plane, and its teeth in mesh": the last view is left out.
+    const std::size_t shown = first_row(drawing), last = brief.caption.rfind(", and ");
+    if (shown < drawing.views.size() && last != std::string::npos) brief.caption.resize(last);
+    drawing.views.resize(shown);
     brief.content = std::make_shared<const figure::Drawing>(std::move(drawing));
   }
   return brief;

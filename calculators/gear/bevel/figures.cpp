@@ -108,7 +108,7 @@ std::vector<figure::Figure> Bevel::figures(const Input& in, const Result& r) {
   if (!is_set(r.R_e) || !is_set(r.delta_f2)) return {};
   const bevel::ConeGear one = bevel::first_of(in, r), two = bevel::second_of(in, r);
   figure::Drawing::View view;
-  view.room = 40.0;
+  view.room = 64.0;
   bevel::add_gear(two, say("gear 2").text(), view);
   bevel::add_gear(one, say("gear 1").text(), view);
   bevel::add_dimensions(in, r, one, two, view);

@@ -1,4 +1,5 @@
 // Pinion and wheel in the plane of rotation, at the moment at which a flank of the wheel drives on the line of centres.
+#include "calculators/gear/cycloidal/cycloidal.hpp"
 #include "calculators/gear/cycloidal/flank.hpp"
 #include "lib/figure/drawing.hpp"
 #include "lib/figure/point.hpp"

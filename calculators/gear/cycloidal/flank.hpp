@@ -1,7 +1,7 @@
 // The flanks of the wheel of gear.cycloidal: epicycloids, offset by the radius of the pins.
 #pragma once
 
-#include "calculators/gear/cycloidal/cycloidal.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,15 +30,16 @@ struct CycloidFlank {
   }
 };
 
-inline CycloidFlank flank_of(const Cycloidal::Input& in) {
+/// Of the input of gear.cycloidal: with pins where their diameter is given.
+CycloidFlank flank_of(const auto& in) {
   const double r_1 = 0.5 * in_si(in.m) * in.z_1, r_2 = 0.5 * in_si(in.m) * in.z_2;
-  if (!Cycloidal::is_lantern(in)) return {r_2, 0.5 * r_1, 0.0};
+  if (!is_set(in.d_p)) return {r_2, 0.5 * r_1, 0.0};
   return {r_2, r_1, 0.5 * in_si(in.d_p)};
 }
 
 /// The polar angle of the middle of the tooth from the start of the epicycloid.
-inline double middle_of(const Cycloidal::Input& in) {
-  const double space = Cycloidal::is_lantern(in) ? 1.0 : 0.5;
+double middle_of(const auto& in) {
+  const double space = is_set(in.d_p) ? 1.0 : 0.5;
   return space * std::numbers::pi / in.z_2 - in_si(in.j) / (in_si(in.m) * in.z_2);
 }
 
@@ -53,13 +54,13 @@ double angle_where(const Function& function, double value, double low, double hi
   return 0.5 * (low + high);
 }
 
-inline double pointed_angle(const Cycloidal::Input& in) {
+double pointed_angle(const auto& in) {
   const CycloidFlank flank = flank_of(in);
   return angle_where([&](double theta) { return flank.polar(theta); }, middle_of(in), flank.start(), std::numbers::pi);
 }
 
 /// End of the flank at a tip of this radius.
-inline double tip_angle(const Cycloidal::Input& in, double radius) {
+double tip_angle(const auto& in, double radius) {
   const CycloidFlank flank = flank_of(in);
   return angle_where([&](double theta) { return flank.radius(theta); }, radius, flank.start(), pointed_angle(in));
 }

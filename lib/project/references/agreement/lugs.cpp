@@ -215,7 +215,7 @@ const Step* pin_of_lug(const Step& lug, const Project& project) {
 
 /// Diameter and force of a lug next to those of the pin in it.
 std::vector<ReducedLoad> lug_of_pin(const Step& lug, const Project& project) {
-  constexpr double as_typed = 1e-3, play = 0.1;
+  constexpr double as_rounded = 1e-3, play = 0.1;
   const Step* const pin = pin_of_lug(lug, project);
   if (pin == nullptr) return {};
   const double d = own_value(lug, project, "d"), of_pin = own_value(*pin, project, "d");
@@ -225,7 +225,7 @@ std::vector<ReducedLoad> lug_of_pin(const Step& lug, const Project& project) {
                       format_quantity(d, "mm", 4), pin->name(), format_quantity(of_pin, "mm", 4))}};
   const double F = std::abs(own_value(lug, project, "F")), there = std::abs(own_value(*pin, project, "F"));
   const double t = own_value(lug, project, "t"), t_1 = own_value(*pin, project, "t_1");
-  if (!(std::abs(t - t_1) <= as_typed * t_1) || !(F < (1.0 - as_typed) * there)) return {};
+  if (!(std::abs(t - t_1) <= as_rounded * t_1) || !(F < (1.0 - as_rounded) * there)) return {};
   return {{"F", say("F = {1}, and the pin '{2}' in this eye carries {3}: take load = \"={2}.eye\", or because.F = "
                     "\"...\"",
                     format_quantity(F, "kN", 4), pin->name(), format_quantity(there, "kN", 4))}};
@@ -233,12 +233,12 @@ std::vector<ReducedLoad> lug_of_pin(const Step& lug, const Project& project) {
 
 /// Force of a pin next to that of a lug, which has a factor of [values] that the pin does not have.
 std::vector<ReducedLoad> pin_of_lugs(const Step& pin, const Project& project) {
-  constexpr double as_typed = 1e-3;
+  constexpr double as_rounded = 1e-3;
   for (const auto& lug : project.steps) {
     if (!is_lug(*lug) || pin_of_lug(*lug, project) != &pin) continue;
     const double F = std::abs(own_value(pin, project, "F")), there = std::abs(own_value(*lug, project, "F"));
     const auto factors = shared_in_force(*lug, project, of_number), own = shared_in_force(pin, project, of_number);
-    if (!(F < (1.0 - as_typed) * there) || std::ranges::includes(own, factors)) continue;
+    if (!(F < (1.0 - as_rounded) * there) || std::ranges::includes(own, factors)) continue;
     return {{"F", say("F = {1}, and the lug '{2}' of this pin carries {3}; justify it: because.F = \"...\"",
                       format_quantity(F, "kN", 4), lug->name(), format_quantity(there, "kN", 4))}};
   }

@@ -37,6 +37,13 @@ Ran run(const std::string& project, std::vector<std::string> words = {}) {
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Whether a text contains NaN or infinity as a word.
+/// The text without embedded fonts, whose letters are arbitrary.
+std::string without_fonts(std::string text) {
+  for (std::size_t at = 0; (at = text.find("base64,", at)) != std::string::npos;)
+    text.erase(at, text.find(')', at) - at);
+  return text;
+}
+
 bool has_no_number(const std::string& text) {
   for (const char* word : {"nan", "NaN", "inf", "Infinity", "-nan"}) {
     for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {
@@ -128,7 +135,7 @@ TEST_SUITE("cli run") {
   }
 
   TEST_CASE("--quiet leaves errors and the exit code") {
-    const Ran good = run(passing + "theta_adm = \"200 deg/m\"\nG = \"80 GPa\"\n", {"--quiet"});
+    const Ran good = run(passing + "theta_adm = \"15 deg/m\"\nG = \"80 GPa\"\n", {"--quiet"});
     CHECK(good.code == 0);
     CHECK(good.out.empty());
     CHECK(good.error.empty());
@@ -293,7 +300,7 @@ TEST_SUITE("cli run") {
       CHECK_FALSE(has_no_number(text.out));
       for (const std::string& file : desk.files()) {
         CAPTURE(file);
-        CHECK_FALSE(has_no_number(desk.get(file)));
+        CHECK_FALSE(has_no_number(without_fonts(desk.get(file))));
       }
       const Ran as_json = desk.run({"run", "-", "--json"}, project);
       CHECK_FALSE(has_no_number(as_json.out));

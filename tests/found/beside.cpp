@@ -42,7 +42,7 @@ std::string axle(const std::string& lines) {
 
 std::string rod(const std::string& lines) {
   return "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"1200 "
-         "mm\"\ncrank = { speed = \"120 rpm\", positions = 36 }\nlinks.rod.mass = \"2 kg\"\nlinks.slider.mass = \"5 "
+         "mm\"\ncrank = { speed = \"120 rpm\", positions = 36 }\nlinks.rod.mass = \"6 kg\"\nlinks.slider.mass = \"5 "
          "kg\"\n[rod]\ncalculator = \"link.member\"\nload = \"=press.links.rod\"\nh = \"30 mm\"\nb = \"20 mm\"\n"
          "ends_y = \"pinned_pinned\"\nends_z = \"fixed_fixed\"\nmaterial = \"S355\"\nmethod = \"johnson\"\nn_st = 3\n"
          "S = 2\n" +

@@ -345,7 +345,7 @@ TEST_SUITE("found connections") {
     const auto at = [](const std::string& lines) {
       return solved_as_found(
           "[f]\ncalculator = \"shaft.press_fit\"\nT = \"20 N*m\"\nd = \"40 mm\"\nD = \"200 mm\"\n"
-          "l = \"40 mm\"\nU_min = \"40 um\"\nU_max = \"50 um\"\nRz_1 = \"4 um\"\nRz_2 = \"6.3 um\"\n"
+          "l = \"40 mm\"\nU_min = \"40 um\"\nU_max = \"63 um\"\nRz_1 = \"4 um\"\nRz_2 = \"6.3 um\"\n"
           "mu = 0.14\nS_r = 1.5\nmaterial = \"C45E\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"370 MPa\"\n"
           "S_F = 1.2\n" +
           lines);

@@ -124,7 +124,8 @@ TEST_SUITE("found sizes") {
 
   TEST_CASE("F7: flat ends of a cylinder are judged where their thickness is given") {
     // 1.24 p (R/t)^2 with p 1.6 MPa, 604 mm and 9 mm: 8.9 GPa
-    CHECK(mode_with("vessel.cylinder", "delta_e = \"10 mm\"", "ends") == "fail");
+    CHECK(mode_with("vessel.cylinder", "delta = \"12 mm\"\ndelta_e = \"10 mm\"", "ends") == "fail");
+    CHECK(mode_with("vessel.cylinder", "delta_e = \"10 mm\"", "ends") == "not-available");  // with no wall
     CHECK(mode_with("vessel.cylinder", "delta_e = \"80 mm\"", "ends") == "pass");
     CHECK(mode_with("vessel.cylinder", "", "ends") == "open");
   }

@@ -20,9 +20,10 @@ std::string_view prefixed(int power, std::string_view unit) {
     int power;
     std::string_view unit, written;
   };
-  static constexpr std::array all{Prefixed{-3, "mm", "µm"}, Prefixed{3, "mm", "m"},     Prefixed{3, "N", "kN"},
-                                  Prefixed{3, "kN", "MN"},  Prefixed{3, "N·m", "kN·m"}, Prefixed{3, "MPa", "GPa"},
-                                  Prefixed{-3, "kW", "W"},  Prefixed{-3, "m", "mm"}};
+  static constexpr std::array all{Prefixed{-3, "mm", "µm"},   Prefixed{3, "mm", "m"},     Prefixed{-3, "m", "mm"},
+                                  Prefixed{3, "N", "kN"},     Prefixed{6, "N", "MN"},     Prefixed{3, "kN", "MN"},
+                                  Prefixed{3, "N·m", "kN·m"}, Prefixed{6, "N·m", "MN·m"}, Prefixed{-3, "MPa", "kPa"},
+                                  Prefixed{3, "MPa", "GPa"},  Prefixed{-3, "kW", "W"},    Prefixed{3, "kW", "MW"}};
   const auto found = std::ranges::find_if(all, [&](const Prefixed& p) { return p.power == power && p.unit == unit; });
   return found == all.end() ? std::string_view() : found->written;
 }

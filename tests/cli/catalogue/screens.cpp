@@ -132,11 +132,11 @@ TEST_SUITE("cli describe" * by_case) {
 
   TEST_CASE("an input has unit, bounds, usual range, what fills it, what uses it and an example") {
     const std::string twist = loadpath_with({"describe", "shaft.torsion", "theta_adm"}).out;
-    CHECK(contains(twist, "  unit     deg/m\n"));
-    CHECK(contains(twist, "  bounds   > 0 deg/m\n"));
-    CHECK(contains(twist, "  usual    0.02 deg/m to 10 deg/m\n"));
+    CHECK(contains(twist, "  unit       deg/m\n"));
+    CHECK(contains(twist, "  bounds     > 0 deg/m\n"));
+    CHECK(contains(twist, "  usual      0.02 deg/m to 10 deg/m\n"));
     CHECK(contains(twist, "(twist)\n"));
-    CHECK(contains(twist, "  example  theta_adm = \"0.004 rad/m\"\n"));
+    CHECK(contains(twist, "  example    theta_adm = \"0.004 rad/m\"\n"));
     CHECK(contains(loadpath_with({"describe", "shaft", "torsion", "G"}).out,
                    "  filled by  material = \"NAME\", column G; rows: loadpath tables\n"));
     CHECK(contains(loadpath_with({"describe", "shaft.torsion", "d"}).out, "\"?\" or omitted: the smallest of R40"));

@@ -110,8 +110,8 @@ TEST_SUITE("found fit") {
   }
 
   TEST_CASE("belts have room between their pulleys, and crossed ones to twist") {
-    CHECK(flat("a = \"352 mm\"\nE_b = ", "room") == "fail");
-    CHECK(flat("a = \"356 mm\"\nE_b = ", "room") == "pass");
+    CHECK(flat("a = \"352 mm\"\nb = \"140 mm\"\nE_b = ", "room") == "fail");
+    CHECK(flat("a = \"356 mm\"\nb = \"140 mm\"\nE_b = ", "room") == "pass");
     const std::string crossed = "arrangement = \"crossed\"\na = ";
     CHECK(flat(crossed + "\"1200 mm\"\nb = \"140 mm\"", "twist") == "not-covered");
     CHECK(flat(crossed + "\"4000 mm\"", "twist") == "pass");

@@ -46,7 +46,7 @@ std::vector<Message> wordings_of(const Mode& mode, const std::string& subject) {
           say("{1}utilisation {2}", step, used)};
 }
 
-/// What another step has assessed is told as a mode of that step.
+/// A mode assessed by another step is reported under that step.
 Message of_failures(Modes sorted, const Telling& telling) {
   std::erase_if(sorted, [](const Mode& mode) { return is_assessed_elsewhere(mode); });
   const auto count = std::ranges::count(sorted, State::fail, &Mode::state);

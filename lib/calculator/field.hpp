@@ -139,7 +139,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
                                      const char* unless = "") const {
     return provided({Provider::Kind::table, table, column, size, unless, false});
   }
-  /// From a row that may lack the column at every size: the input then stays as if no row were named.
+  /// From a row that may have no such column at any size: the input then stays as if no row were named.
   [[nodiscard]] constexpr Field where_it_has() const {
     Field f = *this;
     f.provider.may_lack = true;

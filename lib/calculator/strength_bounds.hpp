@@ -26,7 +26,7 @@ inline constexpr double least_E = 40.0, most_E = 230.0, least_G = 15.0, most_G =
 /// MPa: spring steels and hardened pins; wires and maraging steels lie outside.
 inline constexpr double most_yield_strength = 1400.0, most_tensile_strength = 1800.0;
 
-/// At most `part` of the strength in `column`; of a material that lacks that, at most `part` of another strength.
+/// At most `part` of the strength in `column`; of a material without it, at most `part` of another strength.
 struct StrengthBound {
   struct Share {
     const char* column;

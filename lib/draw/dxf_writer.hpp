@@ -18,7 +18,7 @@ class DxfWriter {
   void circle(const std::string& layer, Point centre, double radius);
   /// Counter-clockwise from `start` to `end`, rad.
   void arc(const std::string& layer, Point centre, double radius, double start, double end);
-  /// Centred at a point; letters that R12 lacks are left out.
+  /// Centred at a point; letters that R12 does not have are left out.
   void text(const std::string& layer, Point at, double height, std::string_view words, double turned = 0.0);
   std::string end();
 

@@ -244,7 +244,7 @@ std::optional<Issue> broken_count(const Operand& operand, const std::string& ste
   return std::nullopt;
 }
 
-/// Warnings and errors of a literal, for values that somebody typed as an expression.
+/// Warnings and errors of a literal, for values that were typed as an expression.
 std::optional<Issue> doubt_of(const Operand& operand, const std::string& step, const std::vector<double>& si) {
   const FieldInfo& field = *operand.leaf.field;
   const auto issue = [&](Message message, Message hint, Severity severity) {

@@ -23,7 +23,7 @@ using account::Account;
 using account::Entry;
 using account::Origin;
 
-/// The requested parts of the accounts; parts that nobody looks at are costly, and are not made.
+/// The requested parts of the accounts; parts that are not shown are costly, and are not made.
 struct Wanted {
   bool pictures = true;                 // tables and figures
   bool formulas = true;                 // the derivation, written out
@@ -111,11 +111,11 @@ struct LoadFacts {
   std::string left = {};
   /// Factors included in the loads that the step has taken, and therefore in its results; known when it is solved.
   Factors factors = {};
-  /// A factor that its loads lack, and that nothing gives here: "T comes without gears.K_A = 1.75: give K_A"; empty
-  /// if there is none. Loads taken from this step lack it too. Known when it is solved.
+  /// A factor not included in its loads, and not given here: "T comes without gears.K_A = 1.75: give K_A"; empty
+  /// if there is none. Loads taken from this step do not include it either. Known when it is solved.
   Message lacking_factor = {};
   std::set<std::string> justified = {};  // factors that are lower here for a reason of the user's
-  /// Loads that are less than the series that they come from, and that nobody answers for: no mode of strength is
+  /// Loads that are less than the series that they come from, and have no reason: no mode of strength is
   /// assessed by them, here and where the results go; known when it is solved.
   std::vector<ReducedLoad> reduced = {};
   std::optional<Reversal> reversal = {};  // reversal of a load; known when the step is solved

@@ -49,7 +49,7 @@ class Ordered {
       changed_.notify_all();
     }
   }
-  /// The next part; past the last if there is none. Waits while too much is done that nobody has taken.
+  /// The next part; past the last if there is none. Waits while too many finished parts have not been taken.
   std::uint64_t claim() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stopped_ || next_ >= last_ || next_ < taken_ + window_; });

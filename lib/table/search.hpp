@@ -4,7 +4,7 @@
 //   comparison  column, one of >= <= > < = !=, and a quantity of the column's dimension with its unit
 //   order       column, with - before it from the largest down
 //
-// A column is named by its key, or by a plain word: mass, area, depth, width. A row that lacks the value does not
+// A column is named by its key, or by a plain word: mass, area, depth, width. A row without the value does not
 // match, and is sorted last; of a value that depends on the size the one at the smallest size counts.
 #pragma once
 

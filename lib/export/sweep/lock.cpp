@@ -90,7 +90,7 @@ Outcome<FolderLock> FolderLock::to_read(const fs::path& folder) {
   FolderLock own;
   own.file_ = ::open((folder / file_name).c_str(), O_RDONLY | O_CLOEXEC);
   if (own.file_ >= 0 && lock(own.file_, LOCK_SH) == Locked::no) return at_work(folder, own.file_);
-  return own;  // without a file nobody writes there
+  return own;  // without a file no process writes there
 }
 
 }  // namespace loadpath::exports

@@ -49,7 +49,7 @@ struct PointMass {
 };
 
 /// Two masses at points on a line with the mass centre, with the mass and the mass centre of the link. The moment of
-/// inertia that they lack: `missing_inertia`. Nothing if the points coincide or the line misses the mass centre.
+/// inertia that is missing: `missing_inertia`. Nothing if the points coincide or the line misses the mass centre.
 std::optional<std::array<PointMass, 2>> statically_equivalent(const Link& link, Vec a, Vec b);
 /// Three masses with the moment of inertia as well, at two points and, the last, in the mass centre between them, on
 /// one line; that one can be negative.

@@ -40,7 +40,7 @@ std::optional<UnitValue> unit_in(std::string_view heading, const FieldInfo& fiel
   return *parsed;
 }
 
-/// What one stands for: "MPa", or "2.5 MPa"; without it, what the heading says.
+/// The value of one unit: "MPa", or "2.5 MPa"; without it, what the heading says.
 Outcome<double> unit_of(const Tree& table, const FieldInfo& field, std::string_view heading = {}) {
   const auto* const unit = table.find("unit");
   if (unit == nullptr) {

@@ -1,4 +1,4 @@
-// A quantity over time that stands in a file beside the project, sigma = { file = "gauge.csv", column = "S2",
+// A quantity over time in a file next to the project, sigma = { file = "gauge.csv", column = "S2",
 // unit = "MPa" }, along a line of it, row = "S2", or in the project itself: { values = [0, 3, -1], unit = "MPa" }. The
 // file is of any length; where the quantity turns is kept of it, which all counting of cycles rests on; where several
 // are taken in step, every sample.

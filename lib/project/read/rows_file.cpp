@@ -21,7 +21,7 @@ using toml::Tree;
 
 constexpr std::uintmax_t largest_file = 16'000'000;  // bytes
 
-/// What stands over a column, and the field that it fills; null where it is left out.
+/// The heading of a column, and the field that it fills; null where it is left out.
 struct Column {
   rainflow::Heading heading;
   const FieldInfo* field = nullptr;
@@ -52,7 +52,7 @@ std::string with_point(std::string text, char separator) {
   return text;
 }
 
-/// As the number or the text would stand in the project file.
+/// As the number or the text would be written in the project file.
 Tree value_of(const std::string& cell, const Column& column, const Place& place) {
   const std::string& unit = column.heading.unit;
   Tree value;

@@ -83,7 +83,7 @@ void add_numbers(const Evaluation& evaluation, const Results& results, std::vect
   }
 }
 
-/// A search result passes the assessed checks only: modes not assessed, for lack of an input, are reported with it.
+/// A search result passes the assessed checks only: modes not assessed because of a missing input are reported with it.
 void tell_unjudged(Account& account) {
   std::string names;
   for (const account::Mode& mode : account.modes) {

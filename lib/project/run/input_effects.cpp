@@ -235,7 +235,7 @@ std::vector<Probe> probes(const Evaluation& evaluation, const Governing& governi
   return probes;
 }
 
-/// The value of the leaf if nobody types it; NaN if it is required, or its list is inside another one.
+/// The value of the leaf if it is not typed; NaN if it is required, or its list is inside another one.
 double untyped(const RecordType& input, const std::string& path, const FieldInfo& field) {
   const Record blank(input);
   const std::string head = path.substr(0, path.find_first_of(".["));

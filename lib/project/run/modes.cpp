@@ -136,7 +136,7 @@ void add_handed_on(const Evaluation& evaluation, const WeighedValues& weighed, a
   modes.push_back(std::move(mode));
 }
 
-/// Adds the assumptions behind a decided mode that nobody gave.
+/// Adds the assumptions behind a decided mode that were not given.
 void add_assumptions(const Evaluation& evaluation, const ModeInfo& info, account::Mode& mode) {
   if (mode.governs.empty()) return;
   const auto& rules = evaluation.calculator().rules;

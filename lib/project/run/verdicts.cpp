@@ -25,7 +25,7 @@ Message bounds_of(const FieldInfo& field) {
   return say("{1} from {2} to {3}", verb, low, high);
 }
 
-/// Why a check has no value: the size does not settle, a table does not reach so far, an input lacks.
+/// Why a check has no value: the size does not settle, a table does not reach so far, an input is missing.
 struct Gap {
   account::State state;
   Message why;

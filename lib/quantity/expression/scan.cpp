@@ -73,7 +73,7 @@ struct Units {
   Names variables;
 };
 
-/// A word that cannot be a reference, a call, the constant pi or a variable. `30 MPa (2)` lacks an operator, `2 cos
+/// A word that cannot be a reference, a call, the constant pi or a variable. `30 MPa (2)` needs an operator, `2 cos
 /// (x)` is a call.
 bool is_bare(const Units& in, std::size_t at, std::size_t end) {
   const auto text = in.text;

@@ -43,7 +43,7 @@ std::optional<double> pointed_number(std::string_view text) {
   const auto [behind, error] = std::from_chars(text.data(), text.data() + text.size(), x);
   if (behind != text.data() + text.size()) return std::nullopt;
   if (error == std::errc::result_out_of_range)
-    x = std::strtod(std::string(text).c_str(), nullptr);  // tells 0 from inf
+    x = std::strtod(std::string(text).c_str(), nullptr);  // distinguishes 0 from inf
   else if (error != std::errc{})
     return std::nullopt;
   return std::isfinite(x) ? std::optional(x) : std::nullopt;

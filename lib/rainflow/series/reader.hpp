@@ -22,7 +22,7 @@ class Reader {
   /// Finite numbers; none at the end. A Fault whose `at` is the line of a text, counted from 1, or the byte of a
   /// binary file, counted from 0: the message includes it too, and reading ends.
   virtual Outcome<std::span<const double>> next() = 0;
-  /// What stands over the column, or before the row: "F [N]"; empty where nothing does.
+  /// The heading of the column, or of the row: "F [N]"; empty where nothing does.
   [[nodiscard]] virtual std::string_view heading() const { return {}; }
 };
 

@@ -19,7 +19,7 @@ constexpr std::array known = {
     Range{0x1E9E, 0x1E9E}, Range{0x2010, 0x2015}, Range{0x2018, 0x201A}, Range{0x201C, 0x201E}, Range{0x2020, 0x2022},
     Range{0x2026, 0x2026}, Range{0x2030, 0x2030}, Range{0x2039, 0x203A}, Range{0x20AC, 0x20AC}, Range{0x2116, 0x2116},
     Range{0x2122, 0x2122}};
-constexpr Range cyrillic{0x0400, 0x045F};  // T2A lacks two of these, which no language of today uses
+constexpr Range cyrillic{0x0400, 0x045F};  // T2A does not have two of these, which no living language uses
 constexpr std::array<char32_t, 2> not_in_t2a = {0x040D, 0x045D};
 
 struct Sign {

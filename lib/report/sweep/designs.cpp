@@ -22,7 +22,7 @@ constexpr std::size_t most_in_answer = 8, most_in_front = 12;
 
 std::string number(std::uint64_t n) { return std::to_string(n); }
 
-/// The inputs that tell designs apart.
+/// The inputs that distinguish the designs.
 std::vector<std::size_t> chosen_inputs(const SweepPlan& plan) {
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {

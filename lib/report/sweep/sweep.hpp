@@ -8,7 +8,7 @@
 
 namespace loadpath::report {
 
-/// `found` holds all points of the plan, or those of a shard; `drawn` those of its figures, none if nobody looks at
+/// `found` holds all points of the plan, or those of a shard; `drawn` those of its figures, none if nothing shows
 /// them.
 Document sweep_document(const project::Project& project, const project::SweepPlan& plan,
                         const project::SweepStatistics& found, std::string_view program, const DrawnPoints& drawn = {});

@@ -5,7 +5,7 @@
 
 namespace loadpath::project {
 
-/// The factor that a load of another step lacks, and that this step neither takes nor gives, with the remedy; empty if
+/// The factor not included in a load of another step, and neither taken nor given here, with the remedy; empty if
 /// there is none. A lower factor with a reason is noted in the step.
 Message lacking_factor(Step& step, const Project& project, const Factors& held);
 

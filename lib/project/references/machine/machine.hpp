@@ -11,7 +11,7 @@ std::vector<ReducedLoad> stated_and_not_taken(const Step& step, const Project& p
 /// What the other steps contradict, as far as they are solved.
 std::vector<ReducedLoad> contradictions(const Step& step, const Project& project);
 
-/// Adds those that nobody answers for to the loads of the step that are not assessed; after check_reductions.
+/// Adds those without a reason to the loads of the step that are not assessed; after check_reductions.
 void check_machine(Step& step, const Project& project);
 
 /// After all steps are solved: whether a step that was solved before another one has other contradictions now, so that

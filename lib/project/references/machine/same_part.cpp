@@ -132,7 +132,7 @@ class PartCheck {
       add(path, say("{1} is a radius, and '{2}' is a diameter; justify it: because.{1} = \"...\"", path, source));
   }
 
-  /// Whether a size tells that both steps describe one part: a round bar, whose bore this step takes too, or a plate.
+  /// Whether a size shows that both steps describe one part: a round bar, whose bore this step takes too, or a plate.
   [[nodiscard]] bool is_of_same_body(const TakenSize& size) const {
     if (size.operand->of_record)
       return false;  // the eye of a pin has the plate of the joint, and the material of its own

@@ -50,7 +50,7 @@ class Evaluation {
   [[nodiscard]] bool is_asked(const FieldInfo& check) const { return step_.is_asked(check, record()); }
   /// Whether a result is a check or a limit of the part.
   [[nodiscard]] bool is_judged(const FieldInfo& field) const;
-  /// Why there are no results; empty if no input lacks.
+  /// Why there are no results; empty if no input is missing.
   [[nodiscard]] Message missing() const { return is_settled() ? inputs_.missing() : unsettled_; }
 
  private:

@@ -86,7 +86,7 @@ ComputedInput Inputs::companion_input(const Provided& provided) const {
 
 void Inputs::take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues) {
   rows_[group].text = row;
-  for (const Provided& provided : provided_) {  // the next row may lack other columns
+  for (const Provided& provided : provided_) {  // the next row may not have other columns
     if (is_of_row(provided, group))
       leaf(provided.path).set(find_leaf(step_.input().reading.record, provided.path).get());
   }

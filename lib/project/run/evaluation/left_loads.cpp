@@ -25,7 +25,7 @@ double extreme_of(const Inputs& inputs, const std::string& path) {
   return leaf && leaf.field->is_load && leaf.field->is_number() ? extreme_of(inputs.value_of(path, leaf)) : 0.0;
 }
 
-/// Whether inputs beside the one that takes the other component hold this one, in its direction: F also as F_x and F_y.
+/// Whether inputs other than that of the other component have this one, in its direction: F also as F_x and F_y.
 bool is_held(const LoadBeside& one, const Inputs& inputs, double component) {
   const std::string beside = prefix_of(one.input), key = one.path.substr(one.path.rfind('.') + 1);
   const double own = extreme_of(inputs, beside + key);

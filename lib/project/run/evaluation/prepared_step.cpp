@@ -90,7 +90,7 @@ void PreparedStep::find_searches(std::vector<Issue>& issues) {
   }
 }
 
-/// The common size of elements that are searched for one by one: each that lacks its own is searched for, too.
+/// The common size of elements that are searched for one by one: each without a size of its own is searched for, too.
 void PreparedStep::search_each_instead(const FieldInfo& common) {
   const std::string list = input().calculator->sizing.list;
   const FieldInfo* const elements = find_field(input().calculator->input->fields, list);

@@ -1,4 +1,4 @@
-// Inputs that nobody typed but that have a source: a row of a table, or a component of another input's load.
+// Inputs that are not typed but have a source: a row of a table, or a component of another input's load.
 #pragma once
 
 #include "lib/project/step.hpp"
@@ -25,7 +25,7 @@ struct Lookup {
 /// Rows of tables by their groups; one without a text is not known yet.
 using Rows = std::map<std::string, Typed>;
 
-/// The inputs of a step that the rows fill. Rows that do not exist, or lack the column, become issues.
+/// The inputs of a step that the rows fill. Rows that do not exist, or do not have the column, become issues.
 std::vector<Provided> provided_by_rows(const StepInput& input, const Rows& rows, std::vector<Issue>& issues);
 /// Whether a row has a value for the input.
 bool gives(const table::Entry& row, const FieldInfo& field);

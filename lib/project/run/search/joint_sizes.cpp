@@ -11,7 +11,7 @@ namespace {
 
 constexpr double same_size = 1e-9;  // relative, in two stocks
 
-/// The index of a size in a stock; nothing if the stock lacks it.
+/// The index of a size in a stock; nothing if the stock does not have it.
 std::optional<std::size_t> index_of(double size, const std::vector<double>& stock) {
   const auto found = std::lower_bound(stock.begin(), stock.end(), size * (1.0 - same_size));
   if (found == stock.end() || *found > size * (1.0 + same_size)) return std::nullopt;

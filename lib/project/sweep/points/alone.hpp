@@ -15,7 +15,7 @@ namespace loadpath::project {
 class AloneStep final : public PointStep {
  public:
   /// For a step that was solved at one point; null if it takes more from others than numbers. `wanted`: for all
-  /// steps, valid as long as this object lives. `referred`: full paths of values that somebody refers to.
+  /// steps, valid as long as this object lives. `referred`: full paths of values that expressions refer to.
   static std::unique_ptr<AloneStep> of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
                                        const PointColumns& points);
 

@@ -133,7 +133,7 @@ bool ColumnLayout::add_companions(const PointColumns& points) {
   return true;
 }
 
-/// Whether an input beside the one that takes the load has this component, or may have it at another point.
+/// Whether an input other than the one that takes the load has this component, or may have it at another point.
 bool ColumnLayout::may_be_held(const LoadBeside& component) const {
   const std::string own = prefix_of(component.input) + component.path.substr(component.path.rfind('.') + 1);
   const auto is_given = [&](const std::string& path) {
@@ -183,7 +183,7 @@ Size ColumnLayout::size_of(const std::string& field) const {
   return {.is_sought = is_sought, .same = given ? given.get() : nan};
 }
 
-/// False if a row lacks a value.
+/// False if a row has no value.
 bool ColumnLayout::add_values_of_rows() {
   const std::string field = size_field();
   const Size all = field.empty() ? Size{} : size_of(field);

@@ -27,7 +27,7 @@ void ColumnParts::feed(PointColumns& points) {
   }
 }
 
-/// Leaves points where others of the components that the step does not include act: its modes tell of them.
+/// Leaves points where others of the components that the step does not include act: its modes report them.
 void ColumnParts::leave_other_components(PointColumns& points) {
   for (LeftComponent& component : left_components) {
     for (std::size_t point = 0; point < points.count; ++point) {

@@ -15,7 +15,7 @@ namespace loadpath::project {
 class ConstantStep final : public PointStep {
  public:
   /// For a step that was solved at one point; its values are marked as those of every point. `referred`: full paths of
-  /// values that somebody refers to. Null if a mode is not of its calculator: a missing input.
+  /// values that expressions refer to. Null if a mode is not of its calculator: a missing input.
   static std::unique_ptr<ConstantStep> of(const Step& step, const std::set<std::string>& referred,
                                           PointColumns& points);
 

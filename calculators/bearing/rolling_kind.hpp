@@ -69,7 +69,7 @@ constexpr bool takes_axial_alone(Kind kind) { return kind == Kind::thrust_ball |
 constexpr bool takes_radial_alone(Kind kind) {
   return kind == Kind::cylindrical_roller_NU || kind == Kind::needle_roller;
 }
-/// One row at an angle: a radial load makes an axial one, which the mating bearing bears.
+/// One row at an angle: a radial load makes an axial one, which the opposed bearing carries.
 constexpr bool at_an_angle(Kind kind) { return kind == Kind::angular_contact_ball || kind == Kind::tapered_roller; }
 constexpr bool takes_one_way(Kind kind) {
   return at_an_angle(kind) || takes_axial_alone(kind) || kind == Kind::cylindrical_roller_NJ;

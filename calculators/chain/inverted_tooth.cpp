@@ -69,7 +69,7 @@ double InvertedTooth::most_rating(const Input& in) {
   return in_si(20.0 * MPa * in.p * in.b_R * v);
 }
 
-/// A wider chain bears unevenly on a sprocket that is not parallel to the other; bound set by loadpath.
+/// A wider chain is loaded unevenly on a sprocket that is not parallel to the other; bound set by loadpath.
 double InvertedTooth::most_width(const Input& in) { return in_si(in.p) / std::sin(pi / std::min(in.z_1, in.z_2)); }
 
 double InvertedTooth::most_speed(const Input&) { return most_silent_speed; }

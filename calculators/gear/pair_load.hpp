@@ -80,7 +80,7 @@ template <class Tracer>
 void velocity_factor(const PairInput& in, PairResult& r, Tracer& trace) {
   if (in.cutting == Cutting::none) {
     const bool runs = is_set(in.n_1);
-    if (!(runs && asks_strength(in))) r.v_share = 0.0;  // else nobody knows how fast such teeth may run
+    if (!(runs && asks_strength(in))) r.v_share = 0.0;  // else the limiting speed of such teeth is unknown
     r.K_v = trace.value("K_v", 1.0, runs ? "not counted: how the teeth are cut is not given" : "load at rest");
   } else if (in.cutting == Cutting::cast) {
     STEP_TO(r, K_v, (3.05 + r.v / m_per_s) / 3.05, "cast teeth, Barth, [Shigley14]");

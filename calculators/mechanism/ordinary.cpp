@@ -79,7 +79,7 @@ bool is_plain(const Solved& solved) {
          solved.cycle.closed.size() > 1;
 }
 
-/// An aspect whose verdicts hang on numbers. The proofs hold wherever a chain keeps clear of its change points, where
+/// An aspect whose verdicts depend on numbers. The proofs hold wherever a chain keeps clear of its change points, where
 /// it keeps its assembly too.
 bool judges_anew(const Aspect& aspect) {
   return aspect.judge != nullptr && aspect.find == nullptr && &aspect != &aspects::equations &&

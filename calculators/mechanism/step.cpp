@@ -26,7 +26,7 @@
 
 namespace loadpath::planar {
 
-/// Whether the value of an expression hangs on another step.
+/// Whether the value of an expression depends on another step.
 static bool is_pending(const project::Operand& operand) { return std::isnan(operand.early); }
 
 void MechanismStep::prepare(const project::Declared& declared, const project::Companions&, std::vector<Issue>& issues) {
@@ -295,7 +295,7 @@ bool MechanismStep::solve_ordinary(const mechanism::Model& model, const project:
   return in_order(in_.crank) && check_values(model, found) && ordinary_->solve(in_, model, *axis_, own_account());
 }
 
-/// Its own paths that somebody refers to, and those of values to compare with that it has.
+/// Its own paths that expressions refer to, and those of values to compare with that it has.
 std::set<std::string> MechanismStep::asked(const project::Wanted& wanted) const {
   std::set<std::string> paths;
   const auto add = [&](const std::set<std::string>& all, bool known_only) {

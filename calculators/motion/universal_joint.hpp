@@ -39,7 +39,7 @@ beta = "20 deg"
 J_2 = "0.12 kg*m^2"
 )toml";
 
-  /// How the forks on the intermediate shaft stand.
+  /// How the forks on the intermediate shaft are aligned.
   enum class Forks { aligned, crossed };
 
   struct Input {

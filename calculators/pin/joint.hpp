@@ -1,7 +1,7 @@
 // A pin in a clevis and an eye, or in one wall: bending, shear, pressure, and pressure times speed where it turns.
 //
 // Decides as [RM-9] does, by beams whose moment follows from how the pin is held: loose, fixed in the clevis, fixed in
-// the eye; with a gap c on either side of the eye. A pin held on one side is a cantilever that bears in its wall by
+// the eye; with a gap c on either side of the eye. A pin held on one side is a cantilever, supported in its wall by
 // force and moment. The load is even over eye and cheeks, or falls towards the outside of the cheeks, [Bhandari-4].
 // Shear is that of the neutral axis, of a bore too. Allowable values are typed, or a share of R_m by how the force
 // varies, [RM-9]. The equivalent stress is that of the extreme fibre in bending or of the neutral axis in shear: over

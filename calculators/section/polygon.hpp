@@ -1,7 +1,7 @@
 // A section bounded by straight lines, with holes: by Green's theorem, exact.
 //
 // Not covered: torsion (see section.solid_torsion), warping, the shear centre. Curves are followed
-// by points: a circle of n points lacks (2 pi / n)^2 / 6 of its area.
+// by points: the area of a circle of n points is too small by (2 pi / n)^2 / 6.
 #pragma once
 
 #include "calculators/section/properties/outline.hpp"

@@ -2,7 +2,7 @@
 //
 // Decides as the standard's load columns do: the groove yields at F_N = R_e A/q, where A is the ring of the groove's
 // side and q = 1.2 for a shoulder of three depths or more, which its printed F_N at 200 MPa follow, [DIN471];
-// shorter shoulders need a q that is typed. The ring bears F_R against a sharp edge and F_Rg g/c against a chamfer c,
+// shorter shoulders need a q that is typed. The ring carries F_R against a sharp edge and F_Rg g/c against a chamfer c,
 // never more than F_R, and opens at n_abl: a manufacturer's values, or those of `circlip = "18x1.2"`. Neither holds a
 // safety: S does. K_A acts once. Not covered: impact, the ring in assembly, rings in bores.
 #pragma once

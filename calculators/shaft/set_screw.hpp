@@ -1,6 +1,6 @@
 // Set screws that hold a hub on its shaft: torque and force along the shaft against what the points hold.
 //
-// Decides by the holding power of a screw with a cup point, which bears along and around the shaft alike, at its
+// Decides by the holding power of a screw with a cup point, which holds along and around the shaft alike, at its
 // surface: tests of manufacturers, [SPS], at the seating torque of the table; other points hold 1.07 (cone),
 // 0.92 (flat, dog) and 0.90 (oval) of it, [SPS]. Two screws hold phi times two, typed: with an angle between them they
 // hold less than twice one. These are mean values of tests: a safety of 1.5 to 2 for loads at rest and 4 to 8 for

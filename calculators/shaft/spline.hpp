@@ -1,7 +1,7 @@
 // A splined shaft in its hub: pressure on the flanks, shear of the teeth, the shaft in torsion, wear where
 // the hub slides.
 //
-// Decides by the mean pressure on the flanks, p = 2 T/(d_m z h_w l phi): phi is the share of them that bears, 0.75
+// Decides by the mean pressure on the flanks, p = 2 T/(d_m z h_w l phi): phi is the load-carrying share, 0.75
 // centred inside and 0.9 on the flanks, [WelleNabe], or typed (1/k_phi of DIN 5466); k_l what the pressure is more at
 // one end. Each side against what it allows, 0.9 R_e or typed; a hub that slides under its torque against a pressure
 // that is typed. Profiles of ISO 14 by `spline = "8x52x60"`; those of DIN 5480 by their diameters. K_A acts once, on T

@@ -19,7 +19,7 @@ struct Lack {
   }
 };
 
-/// The drive that lacks least, where none passes.
+/// The drive nearest to passing, where none passes.
 struct Nearest {
   V::Input drive;
   Lack lack{std::numeric_limits<int>::max(), 0.0};

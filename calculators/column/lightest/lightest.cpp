@@ -29,7 +29,7 @@ Candidate candidate_of(const TableSection& section, const Buckling::Input& bar, 
   return c;
 }
 
-/// Whether a section lacks less: those that the method judges come before the others.
+/// Whether a section is nearer to passing: those that the method judges come before the others.
 bool nearer(const Candidate& a, const Candidate& b) {
   const auto rank = [](const Candidate& c) {
     const bool unjudged = c.failure == Failure::open || c.failure == Failure::beyond || c.failure == Failure::strength;
@@ -40,7 +40,7 @@ bool nearer(const Candidate& a, const Candidate& b) {
 
 /// Data of all sections: the best one, and the lists.
 struct Search {
-  const TableSection* best = nullptr;  // the first that carries the bar, else the one that lacks least
+  const TableSection* best = nullptr;  // the first that carries the bar, else the one nearest to passing
   Candidate nearest;
 };
 

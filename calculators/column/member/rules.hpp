@@ -26,7 +26,7 @@ bool method_suits_class(const Member& in);
 inline bool yields_as_graded(const Member& in) { return in.grade != Grade::S460 || !(in.R_e < 400.0 * MPa); }
 FieldFault method_of_steel(const Member& in);
 
-/// Inputs that the governing method lacks; empty if none. `curves`: whether the buckling curves are known.
+/// Missing inputs of the governing method; empty if none. `curves`: whether the buckling curves are known.
 Message lack(const Member& in, Method by, bool curves);
 FieldFault missing_for_method(const Member& in, Method by, bool curves);
 

@@ -230,7 +230,7 @@ Din743Root root_of(const Din743Section& s, const Din743Safety& r, Tracer& trace)
   return root;
 }
 
-/// The safeties of one section. Its stresses stand in a list "stresses" of the result, one that acts after the other.
+/// The safety factors of one section. Its stresses are in a list "stresses" of the result, one after the other.
 template <class Tracer>
 Din743Safety din743(const Din743Steel& steel, const Din743Section& s, const Din743Loads& loads, Tracer& trace) {
   Din743Safety r;

@@ -45,7 +45,7 @@ void hold_amplitude(const FkmService& l, Stressing kind, FkmStress& k, Tracer& t
                       "N_D (sigma_AK/(j_D sigma_a))^k above its limit, without end below");
 }
 
-/// How much more a fully plastic section bears than one where yielding begins: exact for rings, 16/(3 pi) and 4/3 where
+/// Load of a fully plastic section over that where yielding begins: exact for rings, 16/(3 pi) and 4/3 where
 /// solid.
 template <class Tracer>
 double plastic_factor(const Din743Section& s, Stressing kind, Tracer& trace) {

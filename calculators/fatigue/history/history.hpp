@@ -1,4 +1,4 @@
-// A history of stress against fatigue: its cycles by rainflow, their damage by Miner's rule, how often it can be borne.
+// A history of stress against fatigue: its cycles by rainflow, their damage by Miner's rule, the allowable repetitions.
 //
 // Decides the cycles of a series - one turn of a mechanism, a file of any length - or takes blocks; the equivalent
 // amplitude of each at r = -1; the damage sum by a curve of the part, by a detail of [EN1993-1-9] or of [DNVC203]; the

@@ -15,14 +15,14 @@ struct Rated {
   Found found;
   Point point;
 
-  /// In the order of the ranking if they lack alike.
+  /// In the order of the ranking if they are equally near.
   bool operator<(const Rated& other) const {
     if (found.lack.less_than(other.found.lack)) return true;
     return !other.found.lack.less_than(found.lack) && point < other.point;
   }
 };
 
-/// An option with the least that its pairs can lack.
+/// An option with the least shortfall that its pairs can have.
 struct Hope {
   std::size_t option;
   int limits;
@@ -38,7 +38,7 @@ class Search {
  public:
   Search(const Input& in, const Range& range, const Bounds& bounds) : in_(in), range_(range), bounds_(bounds) {}
 
-  /// Whether pairs that lack at least this may be among the nearest. A bound that is not a number excludes none.
+  /// Whether pairs with at least this shortfall may be among the nearest. A bound that is not a number excludes none.
   [[nodiscard]] bool wants(int limits, double check) const {
     if (nearest_.size() < most_rows) return true;
     const Lack& worst = nearest_.back().found.lack;

@@ -35,7 +35,7 @@ Found tried(const Input& in, const Range& range, const Point& point) {
 
 /// What the walk over the points keeps.
 struct Walk {
-  Found best;  // the first that passes, else the one that lacks least
+  Found best;  // the first that passes, else the one nearest to passing
   std::size_t place = 0;
   std::vector<bool> settled;
   std::vector<Found> nearest;  // to passing, until a pair passes

@@ -13,7 +13,7 @@ Moment torque_of(const Input& in, Tracer& trace) {
   return NAMED_STEP("T_1", in.P / abs(in.n_1), "torque from the power, nominal");
 }
 
-/// The best pair, or where none passes the one that lacks least; `tried` is zero where the range has no pair.
+/// The best pair, or where none passes the nearest one; `tried` is zero where the range has no pair.
 Found search_for(const Input& in, Result& r);
 
 double measure_of(const Candidate& c, By by);

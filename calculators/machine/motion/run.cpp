@@ -70,7 +70,7 @@ bool is_reached(const CycleMap& map, double low, double high) {
   return true;
 }
 
-/// Load over the torque of the motor at rest where the machine stands still, also if both are equal: above 1.
+/// Load over the torque of the motor at rest where the machine is at rest, also if both are equal: above 1.
 double beyond_rest(double load, double drive) { return std::max(load / drive, 1.0 + closed); }
 
 class RunUpToSteady {

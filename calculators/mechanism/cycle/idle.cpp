@@ -58,7 +58,7 @@ class IdleFields {
         has_law(in_) || moves(in_.crank) || std::any_of(in_.cylinders.begin(), in_.cylinders.end(), moves);
     const auto check = [&](const auto& drive, const std::string& path) {
       const bool follows_law =
-          typed_(path + ".law") || typed_(path + ".angle_of_t") || typed_(path + ".place_of_t");  // told with the law
+          typed_(path + ".law") || typed_(path + ".angle_of_t") || typed_(path + ".place_of_t");  // see the law
       if (drive.impending == planar::Impending::either || !some_move || follows_law) return;
       add(path + ".impending",
           moves(drive) ? say("'impending' is of a drive that rests, and '{1}' has a speed", path)

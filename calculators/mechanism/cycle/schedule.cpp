@@ -164,7 +164,7 @@ void fill_axis(const Schedule& schedule, Axis& axis) {
 
 void set_loads(const CycleTask& task, mechanism::ReleasedSystem& system, const std::vector<Drive>& drives,
                std::size_t k, mechanism::Position& place) {
-  if (task.courses.by_stroke()) (void)system.solve(drives, place, task.statics);  // who solves it next tells a failure
+  if (task.courses.by_stroke()) (void)system.solve(drives, place, task.statics);  // the next solution reports a failure
   const double crank_angle = drives.empty() ? 0.0 : drives[0].coordinate - task.schedule.turns;
   const Instant now{crank_angle, time_at(task.in, task.schedule.at, k), place};
   for (std::size_t n = 0; n < task.in.loads.size(); ++n) {

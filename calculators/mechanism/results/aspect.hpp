@@ -1,6 +1,6 @@
 // One side of a mechanism that a project can ask about: drives, losses, accuracy, counterweights, hodographs...
 //
-// An aspect is one source, which says here what it reads, adds, finds, tables, draws and lacks, its name below and a
+// An aspect is one source, which says here what it reads, adds, finds, tables, draws and needs, its name below and a
 // row in calculators/mechanism/aspects.cpp. The step goes through the rows and names none of them. Functions that an
 // aspect does not have are null.
 #pragma once

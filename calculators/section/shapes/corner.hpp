@@ -1,5 +1,5 @@
 // The spandrel between two edges at a right angle and the arc that rounds their corner: the material of a fillet, or
-// what a rounded edge lacks. Exact.
+// the part that a rounded edge removes. Exact.
 #pragma once
 
 #include "lib/calculator/trace.hpp"

@@ -7,7 +7,7 @@ namespace loadpath::section {
 
 namespace {
 
-/// Torsion of three plates with what their T-junctions add and the ends of the flanges lack.
+/// Torsion of three plates, more for their T-junctions and less for the ends of the flanges.
 template <class Tracer>
 void twist(const I::Input& in, I::Result& result, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = static_cast<const Flanged&>(in);

@@ -11,7 +11,7 @@ struct BearingSeat {
   Length r_f = unset<Length>, d_f = unset<Length>;  // of the nearer shoulder; unset if neither end has one
 };
 
-/// All unset on a taper, which does not tell the bore.
+/// All unset on a taper, which does not determine the bore.
 BearingSeat bearing_seat(const DesignInput& in, const Support& support);
 
 }  // namespace loadpath::shaft

@@ -71,7 +71,7 @@ Misfit other_sense(const Input& in, const Seat& seat) {
                      format_number(seat.r_c, 3), format_number(in.r_T, 3))};
 }
 
-/// Steels yield below their tensile strength; which yield strength the shaft has hangs on the diameter of each piece.
+/// Steels yield below their tensile strength; that of the shaft depends on the diameter of each segment.
 Misfit other_strength(const Input& in, const Seat& seat) {
   if (!is_set(seat.R_c) || !is_set(in.R_m) || seat.R_c <= in.R_m) return {};
   const auto told = [](Stress R) { return format_quantity(in_si(R), MPa.symbol); };
@@ -79,7 +79,7 @@ Misfit other_strength(const Input& in, const Seat& seat) {
                      told(seat.R_c), told(in.R_m))};
 }
 
-/// A component that is one piece with the shaft has no bore and no connection, and its teeth stand out of the shaft.
+/// A component that is one piece with the shaft has no bore and no connection, and its teeth lie outside the shaft.
 Misfit two_pieces(const Input& in, const Seat& seat) {
   if (seat.integral == Integral::no) return {};
   const Length d = diameter_under(in, seat);

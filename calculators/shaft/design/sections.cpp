@@ -123,7 +123,7 @@ void stress(const Input& in, const Felt& felt, const Notched* notch, Section& p,
   STEP_TO(p, u_v, in.S_F * sigma_v / in.R_e, "yield");
 }
 
-/// A place of the turn: the section, and the position at which it bears most.
+/// A section and the position of the revolution at which its load is highest.
 struct Place {
   const There& there;
   Sides sides;
@@ -171,7 +171,7 @@ class Judging {
     }
   }
 
-  /// At the position where it bears most.
+  /// At the position of its highest load.
   template <class Tracer>
   Section section(std::size_t k, Tracer& trace) const {
     const std::size_t position = worst_position(k);

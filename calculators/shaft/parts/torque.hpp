@@ -88,11 +88,11 @@ Applies torque_varies(const Input& in) {
   return shown_by(in.K_A > 1.0 || in.torque == Sense::reversing);
 }
 
-/// A shear stress by the torque that any steel shaft bears, pulsating, with a keyway too: the old code for transmission
+/// A shear stress that any steel shaft carries, pulsating, with a keyway too: the old code for transmission
 /// shafts allows 41 MPa (ASME B17c; recalled).
 inline constexpr double light_torsion = 40.0;
 
-/// Whether the shaft itself can be twisted off: open below that, for any shaft bears it.
+/// Whether the shaft itself can be twisted off: open below that, for any shaft carries it.
 inline Applies torsion_of(Stress tau_t) {
   if (!(tau_t > 0.0 * MPa)) return Applies::no;
   return shown_by(tau_t > light_torsion * MPa);

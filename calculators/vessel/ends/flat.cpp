@@ -28,7 +28,7 @@ double factor_of_attachment(const Input& in, Tracer& trace) {
   return NAMED_STEP("C_e", max(0.33 * in.m_r, 0.2), "welded, [UG-34], sketches (e) to (g)");
 }
 
-/// Pressure that an end of this diameter and thickness bears at the stress f.
+/// Pressure that an end of this diameter and thickness carries at the stress f.
 template <class Tracer>
 Stress pressure_of_plate(const char* symbol, Stress f, double z, double C_e, Length D_c, Length e, Tracer& trace) {
   return NAMED_STEP(symbol, f * z / C_e * pow<2>(e / D_c), "[UG-34] (c)(2), equation 1");

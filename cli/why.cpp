@@ -38,7 +38,7 @@ int why(const WhyOptions& options) {
       read_set(text, name, options.settings, issues, options.point ? Ranges::taken : Ranges::refused);
   take_points(options.points, project.sweep);
   if (options.point && !has_errors(issues)) take_point(project, *options.point, issues);
-  // A step as a whole is answered by its results, which may be series.
+  // A complete step is represented by its results, which may be series.
   const bool is_path = options.of.find('.') != std::string::npos;
   const project::SeriesChoice asked = is_path ? project::SeriesChoice({options.of}) : project::SeriesChoice();
   if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = true, .series = asked});

@@ -1,5 +1,5 @@
 # Unity builds: several sources are compiled as one translation unit, because most of the time goes into headers and templates
-# that they share. A full build takes half the time; after a change the whole batch is compiled again.
+# that they share. A full build takes half the time; after a change the full batch is compiled again.
 
 # loadpath_group_by_folder(SOURCES...): sets folders, the identifiers of the folders of these sources, and for each of them
 # sources_of_<id>.

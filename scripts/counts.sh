@@ -13,7 +13,7 @@ files=$(mktemp -d)
 trap 'rm -rf "$files"' EXIT
 own=$(realpath "$program")
 
-# instructions KERNEL BLOCKS: of the whole run, those of the program's own object file. The C library is left out, because
+# instructions KERNEL BLOCKS: of the full run, those of the program's own object file. The C library is left out, because
 # the variant of sin or exp that it runs depends on the CPU. valgrind offers AVX2 at most, whatever the CPU has.
 instructions() {
   valgrind -q --tool=callgrind --compress-strings=no --compress-pos=no --callgrind-out-file="$files/costs" "$program" "$1" "$2" >/dev/null

@@ -1,7 +1,7 @@
 #!/bin/sh
 # clang-tidy by the rules of .clang-tidy. Usage: sh scripts/tidy.sh [--changed | FOLDER...]
 # Without arguments all sources are read, in batches, for most of the time goes into the headers of a source. --changed reads
-# the sources that were changed since the commit in .ci/tidied, which passed as a whole, and for each changed header one
+# the sources that were changed since the commit in .ci/tidied, which passed in full, and for each changed header one
 # source that includes it; all sources where the history does not reach that commit.
 set -eu
 cd "$(dirname "$0")/.."

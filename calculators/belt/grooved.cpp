@@ -162,7 +162,7 @@ double Grooved::least_bend(const Input& in) {
 
 /// The spans are inclined by 30 deg where the difference of the diameters is the centre distance.
 double Grooved::least_centre_distance(const Input& in) { return in_si(abs(in.d_2 - in.d_1)); }
-/// Longer spans of round belts swing and sag, from memory; ribbed belts are shorter.
+/// Longer spans of round belts vibrate and sag, from memory; ribbed belts are shorter.
 double Grooved::most_centre_distance(const Input& in) { return in_si(10.0 * (in.d_1 + in.d_2)); }
 double Grooved::least_length(const Input& in) {
   const Length a = abs(in.d_2 - in.d_1), around = (in.d_1 + in.d_2) / 2.0;

@@ -147,7 +147,7 @@ std::vector<FieldFault> MechanismStep::faults_of_names(const std::vector<Issue>&
   for (const char* list : {"ground", "links", "joints"}) {
     if (std::find(wrong.begin(), wrong.end(), list) != wrong.end()) return {};  // any name may be missing
   }
-  // The middle of a bar is no point of it before the mechanism is completed.
+  // The middle of a bar is not a point of it before the mechanism is completed.
   const Mechanism::Input as_typed =
       without_named_centres(data(), [this](const std::string& path) { return is_typed(path); });
   NameFaults faults(as_typed);

@@ -6,7 +6,7 @@
 // gamma_F makes it the design force. The extract of the standard that was seen holds (3.14) to (3.16) and table 3.10;
 // table 3.9 was seen as restated, the moment of figure 3.11 as in published sheets. Symbols of the plates: 1 the middle
 // one, 2 each of the outer ones; c the gap between them, e_a along the force from bore to edge and e_c across it, a and
-// c of the standard. Not covered: bored pins, table 3.9 type B, plates under a force that is no pull, fatigue.
+// c of the standard. Not covered: bored pins, table 3.9 type B, plates under a force other than tension, fatigue.
 #pragma once
 
 #include "lib/calculator/bound.hpp"

@@ -49,7 +49,7 @@ std::string quoted(const std::string& word) {
   return out + "'";
 }
 
-/// The options of a step; none where one of its values is no text and no number.
+/// The options of a step; none where one of its values is neither text nor a number.
 Words flags_of(const Calculator& calculator, const Tree& step) {
   Words flags;
   for (const Tree::Entry& entry : step.entries) {

@@ -14,7 +14,7 @@ namespace loadpath::cli::lsp {
 
 namespace {
 
-/// Units that are no rows of the table of units, but products of them.
+/// Units that are not rows of the table of units, but products of them.
 constexpr const char* composed[] = {
     "N*m",     "N*mm",      "kN*m",    "lbf*in", "lbf*ft", "N/mm",   "N/m",     "kN/m",      "mm^2",
     "cm^2",    "m^2",       "in^2",    "mm^3",   "cm^3",   "m^3",    "mm^4",    "cm^4",      "m^4",

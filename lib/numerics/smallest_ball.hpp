@@ -51,7 +51,7 @@ bool solve(std::array<std::array<double, dim + 1>, dim>& rows, std::size_t n) {
   return true;
 }
 
-/// The smallest ball with all these points on its surface; radius below 0 if they are no corners of one. Lengths
+/// The smallest ball with all these points on its surface; radius below 0 if they are not corners of one. Lengths
 /// are made free of their size first.
 template <std::size_t dim>
 Ball<dim> through(const Few<dim>& corners) {

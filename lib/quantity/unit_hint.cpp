@@ -64,7 +64,7 @@ Message unknown_unit_hint(std::string_view name) {
 }
 
 std::string split(std::string_view name) {
-  constexpr Dimension time = Dimension::of(0, 0, 1);  // kmh, mins, lbs are no products with h and s
+  constexpr Dimension time = Dimension::of(0, 0, 1);  // kmh, mins, lbs are not products with h and s
   for (std::size_t at = character_length(name, 0); at < name.size(); at += character_length(name, at)) {
     const FoundUnit first = find_unit(name.substr(0, at)), second = find_unit(name.substr(at));
     if (first.row == nullptr || second.row == nullptr) continue;

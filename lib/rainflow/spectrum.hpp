@@ -77,7 +77,7 @@ class RangePairs : public Consumer {
 /// points, after the omission of small ranges.
 class LevelCrossings : public Consumer {
  public:
-  /// Levels in any order; those that are no finite number are left out.
+  /// Levels in any order; those that are not finite are left out.
   explicit LevelCrossings(std::vector<double> levels);
 
   void take(const Batch& /*batch*/) override {}

@@ -98,7 +98,7 @@ Size size_of(std::string_view name) {
   return size;
 }
 
-/// Whether two sizes are of one series, "IPE 210" and "IPE 120"; the numbers of bearings and materials are no sizes.
+/// Whether two sizes are of one series, "IPE 210" and "IPE 120"; the numbers of bearings and materials are not sizes.
 bool is_of_series(const Size& wanted, const Size& other) {
   const bool is_size = !wanted.numbers.empty() && (!wanted.letters.empty() || wanted.numbers.size() > 1);
   return is_size && other.letters == wanted.letters && other.numbers.size() == wanted.numbers.size();

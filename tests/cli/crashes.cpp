@@ -1,4 +1,4 @@
-// However the program is ended while it writes, every output is the old file or a whole new one.
+// However the program is ended while it writes, every output is the old file or a complete new one.
 #include "tests/cli/process.hpp"
 #include "tests/parts.hpp"
 #include "tests/tries.hpp"
@@ -94,7 +94,7 @@ std::size_t renewed(const Desk& desk) {
 }
 
 /// How long a run writes, from its first file to the last output: the shortest of a few, and some more. What the
-/// program does before it ends, and a sanitizer takes longest for, is no writing.
+/// program does before it ends, and a sanitizer takes longest for, is not writing.
 std::chrono::microseconds writing_time(const Desk& desk) {
   Clock::duration shortest = std::chrono::seconds(1);
   for (int k = 0; k < 5; ++k) {

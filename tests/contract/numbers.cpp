@@ -73,7 +73,7 @@ std::vector<Number> numbers_of(const Tree& top, const project::Project& project)
 std::string expression_of(const Tree& number) {
   const std::string text = number.type == Tree::Type::number ? format_exact(number.number) : number.text;
   if (Expression::parse(text)) return "=" + text;
-  const auto literal = parse_literal(text);  // "1 200 mm", "2,5 kN" are no expressions
+  const auto literal = parse_literal(text);  // "1 200 mm", "2,5 kN" are not expressions
   const std::string unit = si_unit(literal->dimension);
   return "=" + format_exact(literal->si) + (unit.empty() ? "" : " " + unit);
 }

@@ -150,7 +150,7 @@ bool has_strength(const Calculator& calculator) {
                      [](const ModeInfo& mode) { return mode.kind == ModeKind::strength; });
 }
 
-/// The series of a flywheel is no single value that could be typed; its rim bursts by its speed.
+/// The series of a flywheel is not a single value that could be typed; its rim bursts by its speed.
 bool can_be_held(const project::Step& step) {
   const std::string_view id = step.input().calculator->id;
   return step.input().calculator->evaluate != nullptr && id != "machine.flywheel" && id != "machine.motion";

@@ -26,7 +26,7 @@ constexpr std::array bounds{
     Bound{&MemberResult::r_0, Failure::range},    Bound{&MemberResult::r_lambda, Failure::slenderness},
     Bound{&MemberResult::r_class, Failure::thin}, Bound{&MemberResult::u_TF, Failure::twisting}};
 
-/// Why the method gives no force: it ends before this bar, or was not tried for want of a strength or of a buckling
+/// Why the method gives no force: it ends before this bar, or was not tried without a strength or a buckling
 /// curve.
 Failure reason_without_force(const Buckling::Input& bar, const MemberResult& r) {
   if (r.r_1 > 1.0 || r.r_0 > 1.0) return Failure::range;

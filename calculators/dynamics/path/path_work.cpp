@@ -21,7 +21,7 @@ using Vector = std::array<double, 3>;
 
 constexpr int path_samples = 257;
 constexpr std::array force_keys{"F_x", "F_y", "F_z"};
-constexpr double most_delta = 1e-6;  // beyond, the work is no result
+constexpr double most_delta = 1e-6;  // beyond, the work is not available
 
 PointPath curve_of(const PathWork::Input& in) { return {in.x, in.y, in.z}; }
 

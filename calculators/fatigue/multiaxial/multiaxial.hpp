@@ -1,6 +1,6 @@
 // A point under plane stress that comes and goes out of phase: its safety without end by four criteria side by side.
 //
-// Decides how many times as large the whole path of sigma_x, sigma_y and tau_xy may be: Findley and Matake on planes of
+// Decides how many times as large the full path of sigma_x, sigma_y and tau_xy may be: Findley and Matake on planes of
 // all directions in space, Crossland by invariants, Dang Van on the scale of grains; each set by the two fatigue limits
 // sigma_D and tau_D in symmetric cycles. The shear amplitude of a plane is the radius of the smallest circle around its
 // path, that of the deviator the radius of the smallest ball. Yielding by von Mises at every moment. Compression is no

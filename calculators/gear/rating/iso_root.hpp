@@ -105,7 +105,7 @@ inline double slip_layer(GearMaterial material, double q_s) {
   return 0.1005;
 }
 
-/// Y_RrelT by the roughness of the flanks; a root smoother than that of the test gear, 10 um, is no advantage.
+/// Y_RrelT by the roughness of the flanks; a root smoother than that of the test gear, 10 um, is not an advantage.
 inline double root_surface(GearMaterial material, Length R_z) {
   const double rough = std::max(R_z / um, 10.0) + 1.0;
   if (material == GearMaterial::steel) return std::min(1.0, 5.306 - 4.203 * std::pow(rough, 0.01));

@@ -8,7 +8,7 @@
 
 namespace loadpath::gear::sizing {
 
-/// The bounds of all numbers of a range; none if they do not hold for it.
+/// The bounds of all numbers of a range; none if they do not apply to it.
 class Bounds {
  public:
   Bounds() = default;

@@ -95,7 +95,7 @@ void add_numbers(const Input& in, const TeethInput& teeth, Range& range) {
   if (range.options.size() > before) range.numbers.push_back(teeth);
 }
 
-/// The whole numbers next to i z_1, as far as the ratio tolerates them.
+/// The integers next to i z_1, as far as the ratio tolerates them.
 void add_mates(const Input& in, TeethInput teeth, Range& range) {
   const double z_1 = teeth.z_1, exact = in.i_set * z_1;
   for (double z_2 = std::floor(exact + 1e-9); z_2 <= std::ceil(exact - 1e-9); z_2 += 1.0) {

@@ -14,7 +14,7 @@ double MotorCurve::at(double omega) const {
 double MotorCurve::breakdown_speed() const {
   if (kind == Kind::straight) return 0.0;
   if (kind == Kind::kloss) return std::max(omega_0 * (1.0 - s_K), 0.0);
-  // Of equal torques the first: a level stretch at the beginning is no falling branch.
+  // Of equal torques the first: a level stretch at the beginning is not a falling branch.
   return std::max_element(line.begin(), line.end(), [](const auto& a, const auto& b) { return a.M < b.M; })->omega;
 }
 

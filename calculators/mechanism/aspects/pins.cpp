@@ -1,4 +1,4 @@
-// Pin joints as their pins and lugs feel them: relative rotation, diameter, whether their force reverses on the pin,
+// Pin joints as loads of their pins and lugs: relative rotation, diameter, whether their force reverses on the pin,
 // and its component transverse to the links.
 #include "calculators/mechanism/cycle/point_motion.hpp"
 #include "calculators/mechanism/results/aspect.hpp"

@@ -123,7 +123,7 @@ class Inserting {
     }
     for (LawLine& drive : watched_drives(in_)) watched_.push_back(std::move(drive));
     if (has_short_segments(in_)) watch_cams();
-    if (!in_.crank.at.empty() && !has_law(in_)) {  // who gives the angles wants those
+    if (!in_.crank.at.empty() && !has_law(in_)) {  // given angles are kept
       for (LawLine& watched : watched_) watched.has_corners = false;
     }
   }
@@ -167,7 +167,7 @@ class Inserting {
     return arguments_.crank_angle;
   }
 
-  /// By how much what a law goes by may swing beyond its values at two neighbouring places.
+  /// By how much the variable of a law may overshoot its values at two neighbouring positions.
   [[nodiscard]] double swing(const LawLine& watched, const std::vector<double>& x, std::size_t k) const {
     const bool even = !has_law(in_) && (watched.by == By::crank_angle || watched.by == By::time);
     if (even || watched.by == By::law_time || x.size() < 4) return 0.0;

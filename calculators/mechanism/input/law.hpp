@@ -40,7 +40,7 @@ bool has_law(const Mechanism::Input& in);
 /// Laws that cannot be followed: two for one drive, formulas that are none, moments that do not follow one another, no
 /// speed or acceleration at some time. Needs values.
 std::vector<FieldFault> check_laws(const Mechanism::Input& in);
-/// Splines that swing beyond their points: to be warned of.
+/// Splines that overshoot their points: for a warning.
 std::vector<FieldFault> overshooting_laws(const Mechanism::Input& in);
 
 }  // namespace loadpath::planar

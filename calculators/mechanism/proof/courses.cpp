@@ -50,7 +50,7 @@ void judge_courses(const Solved& solved, std::vector<account::Verdict>& verdicts
   }
 }
 
-/// The largest share of either sign; a share of zero is no load.
+/// The largest share of either sign; a share of zero is not a load.
 struct Extremes {
   double low = 0.0, high = 0.0;
   void take(double share) { low = std::fmin(low, share), high = std::fmax(high, share); }

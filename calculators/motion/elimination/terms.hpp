@@ -40,7 +40,7 @@ double coefficient_of(const Sum& sum, const Term& function);
 struct Laws {
   Sum first, second;
 };
-/// Empty if one of them is no such sum. The time is counted from the zero of a binomial under a root or a fraction
+/// Empty if one of them is not such a sum. The time is counted from the zero of a binomial under a root or a fraction
 /// line, 1/(t + 1 s). Terms that are rounding at times up to `longest` are left out.
 std::optional<Laws> as_sums(std::string_view first, std::string_view second, double longest);
 

@@ -1,4 +1,4 @@
-// Torsion constants of sections that are no circles: what several sections and their tests share.
+// Torsion constants of non-circular sections: what several sections and their tests share.
 #pragma once
 
 #include "calculators/section/properties/properties.hpp"

@@ -283,7 +283,7 @@ class Rating {
     other_schools(in_, section_of_din743(in_, there_, sides_, p_, s), stressed, rated, outside, s, trace);
   }
 
-  /// The one of all swings under which the section lasts least.
+  /// The one of all amplitudes under which the section lasts least.
   [[nodiscard]] const Swings& weakest(std::span<const Swings> all, const Safety& prepared) const {
     NoTrace quiet;
     const Swings* found = all.data();

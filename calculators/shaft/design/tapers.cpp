@@ -76,7 +76,7 @@ double tired(const Input& in, const Section& p, std::span<const Swings> swings) 
   return safety_of(in, There{}, Sides{ring, ring}, p, swings, quiet).u_D;
 }
 
-/// Under loads over a revolution, only at the nodes: each has its own swings.
+/// Under loads over a revolution, only at the nodes: each has its own amplitudes.
 void raise_over_turn(const Input& in, const Stations& stations, const Turn& turn, Peaks& peaks) {
   for (std::size_t n = 1; n < stations.piece.size(); ++n) {
     const std::size_t piece = stations.piece[n];

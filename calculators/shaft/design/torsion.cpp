@@ -57,7 +57,7 @@ Harmonic harmonic_of(const Input& in, const beam::Swing& swing, const Order& ord
   return o;
 }
 
-/// The largest amplitude with which the torque of a seat swings k times over all positions.
+/// The largest amplitude with which the torque of a seat varies k times over all positions.
 double swing_of_torque(const Input& in, std::size_t k) {
   const std::size_t n = positions_of(in);
   double largest = 0.0;

@@ -1,5 +1,5 @@
-// The shaft as it swings about its axis with what sits on it: natural frequencies in torsion, and how far what comes h
-// times in a turn stays from them.
+// Torsional vibration of the shaft with its mounted components: natural frequencies, and their distance from an
+// excitation that occurs h times per revolution.
 #pragma once
 
 #include "calculators/shaft/design/model/result.hpp"

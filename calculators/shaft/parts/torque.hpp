@@ -57,7 +57,7 @@ constexpr Rule<Input> safety_has_strength() {
           "the safety factor S_F of the shaft needs its yield strength R_e_1"};
 }
 
-/// Each side has one strength, and a factor of the reversal wants one.
+/// Each side has one strength, and a factor of the reversal needs one.
 template <class Input>
 constexpr auto rules_of_sides() {
   return std::array{Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_1) && is_set(in.R_e_1)); },
@@ -98,13 +98,13 @@ inline Applies torsion_of(Stress tau_t) {
   return shown_by(tau_t > light_torsion * MPa);
 }
 
-/// K_A acts once, on T and not on T_max, which is what the largest shock brings, whole.
+/// K_A acts once, on T and not on T_max, which is the largest shock in full.
 template <class Input, class Result, class Tracer>
 void torque_that_counts(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, T_eq, is_set(in.T_max) ? max(in.K_A * abs(in.T), abs(in.T_max)) : in.K_A * abs(in.T), "equivalent torque");
 }
 
-/// The shaft itself in torsion; not without a safety factor, for a stress up to the yield strength is no design.
+/// The shaft itself in torsion; not without a safety factor, for a stress up to the yield strength is not a design.
 template <class Input, class Result, class Tracer>
 void yielding_of_shaft(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.R_e_1) || !is_set(in.S_F)) return;

@@ -19,7 +19,7 @@ std::vector<Point> plate(double left, double right, double low, double high) {
   return {{left, low}, {right, low}, {right, high}, {left, high}};
 }
 
-/// The shell on the right of the axis, of a bolted cover with its flange; its thickness is no input.
+/// The shell on the right of the axis, of a bolted cover with its flange; its thickness is not an input.
 std::vector<Point> shell_of(FlatEnd::Attachment attachment, double inside, double outside, double wall, double low,
                             double thickness) {
   if (attachment != FlatEnd::Attachment::bolted) return plate(inside, outside, low, 0.0);

@@ -12,7 +12,7 @@ namespace {
 constexpr double room_x = 30.0, room_y = 22.0, title_height = 20.0, title_margin = 10.0, bar_height = 28.0,
                  least_height = 60.0;
 
-/// The title in lines that are no wider than its panel.
+/// The title in lines not wider than its panel.
 std::vector<Text> title_lines(const std::string& title, double panel) {
   std::vector<Text> lines;
   std::string line;

@@ -183,7 +183,7 @@ void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) 
             say("'{1}' takes nothing from a material", input.calculator->id), strengths_of(*input.calculator));
 }
 
-/// The keys of a step that are no fields of its calculator.
+/// The keys of a step that are not fields of its calculator.
 std::vector<std::string> keys_beside_fields(const Calculator& calculator) {
   std::vector<std::string> keys = step_keys;
   keys.emplace_back("material");

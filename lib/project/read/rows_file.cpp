@@ -215,7 +215,7 @@ bool Rows::unit_fits(const Column& column, const std::string& cell) {
                                  : say("it has no unit: {1}", column.heading.name));
 }
 
-/// Numbers without a unit, of a field that has one, want it in the heading.
+/// Numbers without a unit, of a field that has one, need it in the heading.
 bool Rows::units_are_told(const std::vector<std::string>& cells) {
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const Column& column = columns_[k];

@@ -44,7 +44,7 @@ double magnitude_at(const Project& project, const std::string& path);
 double own_value(const Step& step, const Project& project, const std::string& path);
 /// Whether an input is the axial force of a bar that may buckle.
 bool is_compression_of_bar(const FieldInfo& field);
-/// Whether a step is a connection of one of several outputs of a shaft: another one carries its whole torque, and the
+/// Whether a step is a connection of one of several outputs of a shaft: another one carries its full torque, and the
 /// torques of the outputs together make it up, but for the losses of a drive.
 bool is_one_of_outputs(const Step& step, const Project& project, const std::string& shaft);
 /// The material that a step names; empty if none.

@@ -177,7 +177,7 @@ class ReductionCheck {
     return is_compression && std::abs(taken) >= most * (1.0 - 1e-9);
   }
 
-  /// Whether the amplitude or mean that another step has of its whole cycle is taken as just that: "=filling.sigma_a",
+  /// Whether the amplitude or mean that another step has of its full cycle is taken as such: "=filling.sigma_a",
   /// with "=filling.sigma_m" where both are needed.
   [[nodiscard]] bool is_same_part_of_cycle(const Operand& operand, const Reduced& r) const {
     if (!operand.expression.is_reference() || r.function.empty()) return false;
@@ -258,7 +258,7 @@ class ReductionCheck {
     return taken < least_efficiency * std::abs(largest(pair->source).value);
   }
 
-  /// The power of another drive that is no series: it is a mean over the cycle too.
+  /// The power of another drive that is not a series: it is a mean over the cycle too.
   [[nodiscard]] bool is_mean_power(const Pair& pair) const {
     const auto [name, rest] = split_step(pair.path);
     const Step* const source = project_.find(name);
@@ -268,7 +268,7 @@ class ReductionCheck {
   }
 
   /// The application factor that a load holds, and that this step applies, as far as both agree: "=belts.shaft_2.T /
-  /// values.K_A" with K_A = "=values.K_A" is the whole load. A load that still holds it is refused with a K_A.
+  /// values.K_A" with K_A = "=values.K_A" is the full load. A load that still holds it is refused with a K_A.
   [[nodiscard]] double factor_applied_again(const std::string& load) const {
     const auto [name, rest] = split_step(load);
     const Step* const source = project_.find(name);

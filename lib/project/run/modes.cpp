@@ -10,7 +10,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// A step that has no results for want of an input has not been assessed at all.
+/// A step that has no results because of a missing input has not been assessed at all.
 void add_missing_input(const Evaluation& evaluation, const Results& results, account::Modes& modes) {
   const Message missing = evaluation.missing();
   if (!results.series.empty() || missing.empty()) return;

@@ -189,7 +189,7 @@ bool is_head_on(Step& head, Step& shell) {
          has_ends(shell) && has_equal_radius(head, shell);
 }
 
-/// A head has the pressure of its shell; below a liquid it has more, which is no fault of the shell.
+/// A head has the pressure of its shell; below a liquid it has more, which is not an error of the shell.
 void add_facts_of_head(Step& head, Step& shell, std::map<Step*, BodyFacts>& facts) {
   std::map<Step*, BodyFacts> both;
   add_facts(statements_of({&head, &shell}, "pressure"), both);

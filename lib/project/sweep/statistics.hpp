@@ -78,7 +78,7 @@ class SweepStatistics {
   [[nodiscard]] std::vector<sweep::Pareto::Point> pareto() const { return pareto_.points(); }
   [[nodiscard]] const Designs& designs() const { return designs_; }
   [[nodiscard]] DesignCounts design_counts() const;
-  /// Points of designs of which every sample is refused: combinations that are no valid machine.
+  /// Points of designs of which every sample is refused: invalid designs.
   [[nodiscard]] std::uint64_t points_of_invalid() const;
   /// The covariances of inputs and results, in this order.
   [[nodiscard]] sweep::Covariances covariances() const { return covariances_.total(); }

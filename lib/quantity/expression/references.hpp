@@ -19,7 +19,7 @@ struct Reference {
 using Declared = std::function<Outcome<Signature>(const std::string& path)>;
 /// The value of a path, when the project is solved; the paths are those that passed `check`.
 using Known = std::function<const Value&(const std::string& path)>;
-/// The number of a path that is no series.
+/// The number of a path that is not a series.
 using Single = std::function<double(const std::string& path)>;
 /// The values of a path at many points.
 using Column = std::function<const double*(const std::string& path)>;

@@ -31,7 +31,7 @@ figure::Figure marked(const StepFigure& figure);
 figure::Figure in_brief(const figure::Figure& figure);
 /// Whether page 1 shows all of it.
 bool is_brief(const figure::Figure& figure);
-/// Whether it is about as high as wide: a mechanism, or a drawn part that is no shaft.
+/// Whether it is about as high as wide: a mechanism, or a drawn part other than a shaft.
 bool is_compact(const figure::Figure& figure);
 /// Whether it is a shaft with diagrams, which is narrow and tall.
 bool has_diagrams(const figure::Figure& figure);

@@ -60,7 +60,7 @@ void append_start(std::string& out, View tag) {
   out += tag;
 }
 
-/// The end of an element whose content is no markup; 0 for other elements.
+/// The end of an element whose content is not markup; 0 for other elements.
 std::size_t end_of_verbatim(View page, View name) {
   constexpr std::array<View, 3> verbatim{"script", "style", "pre"};
   if (name.size() < 3 || !is_one_of(name, verbatim)) return 0;

@@ -111,7 +111,7 @@ std::string as_element(std::string text) {
 
 std::string shorter_row(std::string_view markup);
 
-/// An element that is no text, with text in place of its parts where these are.
+/// An element that is not text, with text in place of its parts where these are.
 std::string shorter(const Item& item) {
   const bool is_row = item.name == "mrow" || item.name == "msqrt" || item.name == "mtd";
   std::string inner;

@@ -38,7 +38,7 @@ const char* kind_of(const sweep::Slope& slope, double swing) {
   return "";
 }
 
-/// The swing of an input next to the largest one.
+/// The range of an input compared with the largest one.
 std::string bar_of(double swing, double largest) {
   constexpr double longest = 12.0;
   if (std::isnan(swing) || !(largest > 0.0)) return "";

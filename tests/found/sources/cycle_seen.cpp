@@ -1,4 +1,4 @@
-// Cycles that are not seen as a whole: positions that miss the largest load, speeds and directions of a pin joint,
+// Cycles that are not covered in full: positions that miss the largest load, speeds and directions of a pin joint,
 // inertia of links without mass.
 #include "tests/found/modes.hpp"
 

@@ -95,7 +95,7 @@ TEST_SUITE("found shafts") {
   TEST_CASE("a gear pair with the teeth of a stage carries the torque of that stage") {
     CHECK(mode_of(solved_as_found(gears_on("1")), "g", "root_1") == "not-judged");
     CHECK(mode_of(solved_as_found(gears_on("2")), "g", "root_1") == "pass");
-    CHECK(mode_of(solved_as_found(gears_on("1", "", "60")), "g", "root_1") == "pass");  // a pair that is no stage
+    CHECK(mode_of(solved_as_found(gears_on("1", "", "60")), "g", "root_1") == "pass");  // a pair that is not a stage
     CHECK(
         mode_of(solved_as_found(gears_on("1", "because = { T_1 = \"drives the pump\", n_1 = \"drives the pump\" }\n")),
                 "g", "root_1") == "pass");

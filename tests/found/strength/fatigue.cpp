@@ -171,7 +171,7 @@ TEST_SUITE("found fatigue of parts") {
     const std::string weight = "gravity = \"9.81 m/s^2\"\n";
     for (const char* const force : {"8 kN", "-8 kN"}) {
       CHECK(rod(force, "", "") == "not-judged");
-      CHECK(rod(force, "", "o") == "pass");  // the inertia of the rod swings alike: both fibres have the same stresses
+      CHECK(rod(force, "", "o") == "pass");  // the inertia of the rod varies alike: both fibres have the same stresses
       CHECK(rod(force, "", "u") == "pass");
       CHECK(rod(force, weight, "ou") == "pass");
       CHECK(rod(force, weight, "u") == "not-judged");  // the weight adds tension at the other fibre

@@ -248,7 +248,7 @@ TEST_SUITE("fold") {
           "1 of 2 failure modes needs input or a step, 1 outside the scope");
     CHECK(explanation({mode_of(State::not_judged, false)}).text() ==
           "1 of 1 failure modes is outside the scope of loadpath");
-    // Those not considered are no part of the total; those accepted are assessed.
+    // Those not considered are not part of the total; those accepted are assessed.
     CHECK(explanation({mode_of(State::not_judged), mode_of(State::pass), mode_of(State::open)}).text() ==
           "1 of 2 failure modes needs input or another step");
     CHECK(explanation({mode_of(State::pass), mode_of(State::pass), mode_of(State::accepted)}).text() ==

@@ -33,7 +33,7 @@ struct Stretch {
 };
 beam::Row<Stretch> stretches_of(const DesignInput& in, const Stations& stations);
 
-/// The same as it swings about its axis, from `from` to `to` along the shaft: of a taper two rods for each of its
+/// The same for torsional vibration, from `from` to `to` along the shaft: of a taper two rods for each of its
 /// parts.
 void add_rods(const DesignInput& in, double from, double to, beam::Swing::Rods& rods);
 

@@ -28,7 +28,7 @@ bool is_named_as_peak(const std::string& name, const std::string& symbol) {
          (is_of_peak(index) || index == "test" || index == "t" || (symbol == "p" && index == "design"));
 }
 
-/// A stress is no load that another one of [values] could be meant for: that may be a strength.
+/// A stress is not a load that another one of [values] could be meant for: that may be a strength.
 bool is_comparable(const FieldInfo& field) {
   const Meant kind = kind_of_field({field.key, field.doc, field.unit, field.dimension, field.kind});
   const bool is_stress = kind == Meant::normal_stress || kind == Meant::shear_stress ||

@@ -49,7 +49,7 @@ CandidateFault fault_of_check(const std::string& path, double utilisation) {
   return {say("{1} = {2}", path, beyond_one(utilisation)), path, utilisation, "-"};
 }
 
-/// The range of a method is no capacity: its ratio is no utilisation, and has no unit.
+/// The range of a method is not a capacity: its ratio is not a utilisation, and has no unit.
 CandidateFault fault_of_limit(const std::string& path, const FieldInfo& limit, double si) {
   const std::string unit = limit.unit == std::string("-") && !limit.is_criterion ? "" : limit.unit;
   return {say("{1} = {2}: {3}", path, format_quantity(si, limit.unit, 4), bound_message(limit, si)), path, si, unit};

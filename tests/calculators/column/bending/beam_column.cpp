@@ -113,7 +113,7 @@ TEST_SUITE("column with bending") {
     CHECK(step(ipe + "l = \"8 m\"")("chi_LT") < step(ipe + "l = \"4 m\"")("chi_LT"));
     CHECK(step(ipe + "l = \"4 m\"")("chi_LT") < 0.9);
     CHECK(step("section = \"SHS 200x200x8\"")("chi_LT") == 1.0);
-    CHECK(mode(ipe + "l = \"8 m\"\nl_LT = \"1 m\"", "lateral_torsional") == "not-judged");  // wants its reason
+    CHECK(mode(ipe + "l = \"8 m\"\nl_LT = \"1 m\"", "lateral_torsional") == "not-judged");  // needs a reason
   }
 
   TEST_CASE("a load above the shear centre lowers the critical moment, one below raises it") {

@@ -146,7 +146,7 @@ TEST_SUITE("shaft sizing" * test::by_case) {
     CHECK(solved.value("axle.pieces[1].d") == solved.value("axle.pieces[2].d"));
     CHECK(contains(solved.origin("axle", "pieces[1].d"), "smallest of bearing"));
     Solved half(test::with(text, "pieces", "[{ l = \"100 mm\", d = \"48 mm\" }, { l = \"100 mm\", d = \"?\" }]"));
-    CHECK(contains(half.errors(), "no combination of sizes"));  // 48 mm is no bore of a bearing
+    CHECK(contains(half.errors(), "no combination of sizes"));  // 48 mm is not a bore of a bearing
   }
 
   TEST_CASE("without a check there is no size, and under too much load none passes") {

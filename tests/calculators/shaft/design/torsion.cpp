@@ -1,4 +1,4 @@
-// Shafts that swing about their axis: against closed forms, and designs that must not pass.
+// Shafts in torsional vibration: against closed forms, and designs that must not pass.
 #include "calculators/shaft/design/design.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"

@@ -192,7 +192,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(all[1].h == Approx(2.0));
     CHECK(all[1].u_h == Approx(2.0 * all[0].u_h));
     in.seats[0].psi = cycle.of<double>([](double phi) { return 2.0 * phi; });
-    CHECK(solve(in).harmonics.size() == 1);  // two swings in two turns
+    CHECK(solve(in).harmonics.size() == 1);  // two cycles in two turns
   }
 
   TEST_CASE("bearings: over the turn the mean with 10/3, and the largest") {

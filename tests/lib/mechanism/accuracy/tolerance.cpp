@@ -140,7 +140,7 @@ TEST_SUITE("mechanism") {
     CHECK(e.worst_high == doctest::Approx(angle(l + t) - angle(l)).epsilon(1e-6));
     CHECK(e.worst_low == doctest::Approx(angle(l - t) - angle(l)).epsilon(1e-6));
     CHECK(e.deviation == doctest::Approx((angle(l + t) - angle(l - t)) / 6.0).epsilon(1e-6));
-    // Closer than the tolerance some corners are no mechanism.
+    // Closer than the tolerance some corners are not a mechanism.
     CHECK(error_of(model, x + 0.05, crank, {{{{rod_length}}, 2e-4}}).status == Status::does_not_close);
   }
 

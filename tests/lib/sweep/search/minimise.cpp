@@ -300,7 +300,7 @@ TEST_SUITE("search for the best design") {
   }
 
   TEST_CASE("the best of random designs is not beaten by brute force") {
-    // ten small mixed cases: a quadratic in two whole numbers and one continuous variable, cut by a plane; for each
+    // ten small mixed cases: a quadratic in two integers and one continuous variable, cut by a plane; for each
     // pair the continuous one is closed: its free optimum, or where the plane cuts
     for (int k = 0; k < 10; ++k) {
       const double a = 0.3 + 0.37 * k, b = 5.2 - 0.41 * k, c = 0.9 * std::sin(k), limit = 6.0 + 0.5 * k;

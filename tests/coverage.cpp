@@ -183,7 +183,7 @@ std::string first_fault_of(const std::string& row) {
 }  // namespace
 
 TEST_SUITE("coverage") {
-  TEST_CASE("every calculator, field, file, command and case that docs/coverage.md names is there") {
+  TEST_CASE("every calculator, field, file, command and case that docs/coverage.md names exists") {
     const std::string page = text_of(repository / "docs/coverage.md");
     for (const std::string& fault : faults_of(page)) FAIL_CHECK(fault);
     std::size_t rows = 0;
@@ -204,7 +204,7 @@ TEST_SUITE("coverage") {
     CHECK(commands == 1);
   }
 
-  TEST_CASE("a name that is not there is found") {
+  TEST_CASE("a name that does not exist is found") {
     CHECK(first_fault_of(
               "| twist | `shaft.torsion`: `segments[].phi` | yes | `line-shaft`: `line_shaft.d` = 100 mm |") == "");
     CHECK(first_fault_of("| twist | `shaft.twist` | yes | – |") == "no calculator: shaft.twist");

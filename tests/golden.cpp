@@ -48,8 +48,7 @@ TEST_SUITE("golden" * test::by_case) {
     }
   }
 
-  TEST_CASE(
-      "the page of a report stands alone: no address that a browser would fetch, that of motion only for what moves") {
+  TEST_CASE("the page of a report is self-contained: no address to fetch, motion scripts only for moving parts") {
     for (const std::string name : examples) {
       const std::string page = report::html(report_of(name));
       const bool moves =

@@ -65,7 +65,7 @@ std::vector<std::string> keys_of(const std::string& page) {
 }  // namespace
 
 TEST_SUITE("guide") {
-  TEST_CASE("whoever follows it, chapter by chapter, sees what it shows, its pictures too") {
+  TEST_CASE("a reader who follows it, chapter by chapter, gets what it shows, its pictures included") {
     const Desk desk;
     fs::create_directory_symlink(LOADPATH_ROOT "/examples", desk.folder() / "examples");
     std::set<std::string> shown, drawn;
@@ -85,7 +85,7 @@ TEST_SUITE("guide") {
     CHECK(drawn == shown);
   }
 
-  TEST_CASE("it names every chapter in its contents, and each leads to the next") {
+  TEST_CASE("it lists every chapter in its contents, and each leads to the next") {
     const auto links = links_of(text_of(guide / "README.md"));
     const auto pages = chapters();
     const auto leads_to = [](const std::vector<Link>& from, const fs::path& to) {
@@ -98,7 +98,7 @@ TEST_SUITE("guide") {
     }
   }
 
-  TEST_CASE("the theory that it names stands among the sources") {
+  TEST_CASE("the theory that it names is among the sources") {
     const std::string sources = text_of(LOADPATH_ROOT "/tables/sources.toml");
     std::set<std::string> named;
     for (const fs::path& chapter : chapters()) {
@@ -140,13 +140,13 @@ TEST_SUITE("guide") {
     }
   }
 
-  TEST_CASE("a link that leads nowhere is told") {
+  TEST_CASE("a link that leads nowhere is reported") {
     CHECK(leads_somewhere("README.md", "docs/sweeps.md#on-a-cluster"));
     CHECK_FALSE(leads_somewhere("README.md", "docs/sweeps.md#on-a-custer"));
     CHECK_FALSE(leads_somewhere("README.md", "docs/sweep.md"));
   }
 
-  TEST_CASE("what is shown and not printed is told") {
+  TEST_CASE("an output that is shown and not printed is reported") {
     CHECK(difference("a\nb\n", "a\nb\n") == "");
     CHECK(difference("a\n...\nc\n", "a\nb\nc\n") == "");
     CHECK(difference("...\nb\n...\n", "a\nb\nc\n") == "");

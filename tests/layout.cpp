@@ -248,7 +248,7 @@ bool tells(const std::vector<std::string>& found, const std::string& words) {
 }  // namespace
 
 TEST_SUITE("layout") {
-  TEST_CASE("the sources lie and include one another as docs/architecture.md draws it") {
+  TEST_CASE("the sources are placed and include one another as docs/architecture.md draws it") {
     const Texts texts = read_sources(LOADPATH_ROOT);
     const auto arrows = includes_of(texts);
     REQUIRE(arrows.size() > 1000);
@@ -258,14 +258,14 @@ TEST_SUITE("layout") {
     for (const std::string& fault : faults(drawn, files_of(texts), arrows, homes_of(texts, arrows))) FAIL_CHECK(fault);
   }
 
-  TEST_CASE("a circle of folders is told") {
+  TEST_CASE("a circle of folders is reported") {
     const Graph drawn{{"lib/a", {"lib/b"}}, {"lib/b", {"lib/a"}}};
     const auto found =
         faults(drawn, {"lib/a/x.hpp", "lib/b/y.hpp"}, {{"lib/a/x.hpp", "lib/b/y.hpp"}, {"lib/b/y.hpp", "lib/a/x.hpp"}});
     CHECK(tells(found, "a circle of folders: lib/a -> lib/b -> lib/a"));
   }
 
-  TEST_CASE("a circle of modules is told, also one over a third") {
+  TEST_CASE("a circle of modules is reported, also one over a third") {
     const Graph drawn{{"lib/a", {}}};
     const auto over = [&](const std::vector<Arrow>& arrows) {
       return faults(drawn, {"lib/a/x.hpp", "lib/a/x.cpp", "lib/a/y.hpp", "lib/a/z.hpp"}, arrows);
@@ -294,7 +294,7 @@ TEST_SUITE("layout") {
     CHECK(tells(faults({{"lib/a", {}}}, files_of(texts), arrows, homes), "a circle of modules: lib/a/x -> lib/a/z"));
   }
 
-  TEST_CASE("a room that is drawn twice is told") {
+  TEST_CASE("a box that is drawn twice is reported") {
     std::vector<std::string> found;
     const Graph drawn = read_graph("```rooms\nlib/a:\nlib/b: lib/a\nlib/a:\n```\n", found);
     CHECK(drawn.size() == 2);
@@ -302,33 +302,33 @@ TEST_SUITE("layout") {
     CHECK(found[0] == "lib/a: drawn twice in docs/architecture.md");
   }
 
-  TEST_CASE("an arrow that points up is told") {
+  TEST_CASE("an arrow that points up is reported") {
     const Graph drawn{{"lib/a", {}}, {"calculators/b", {}}};
     const auto found = faults(drawn, {"lib/a/x.hpp", "calculators/b/y.hpp"}, {{"lib/a/x.hpp", "calculators/b/y.hpp"}});
     CHECK(tells(found, "against lib <- calculators <- cli"));
   }
 
-  TEST_CASE("a file in the root of lib is told, and so is a room that nobody drew, or that is not there") {
+  TEST_CASE("a file in the root of lib is reported, and so is a folder that is not drawn, or does not exist") {
     const auto found = faults({{"lib/gone", {}}}, {"lib/x.hpp", "lib/new/y.hpp"}, {});
     CHECK(tells(found, "lib/x.hpp: no file stands in the root of lib"));
     CHECK(tells(found, "lib/new: not in the graph"));
     CHECK(tells(found, "lib/gone: drawn in docs/architecture.md, and not there"));
   }
 
-  TEST_CASE("an arrow that is not drawn, or drawn and not needed, is told") {
+  TEST_CASE("an arrow that is not drawn, or drawn and not needed, is reported") {
     const std::vector<std::string> files{"lib/a/x.hpp", "lib/b/y.hpp"};
     CHECK(tells(faults({{"lib/a", {}}, {"lib/b", {}}}, files, {{"lib/a/x.hpp", "lib/b/y.hpp"}}),
                 "lib/a needs lib/b: not drawn"));
     CHECK(tells(faults({{"lib/a", {"lib/b"}}, {"lib/b", {}}}, files, {}), "no file needs it"));
   }
 
-  TEST_CASE("a room is small enough to be overlooked") {
+  TEST_CASE("a folder has at most 26 files") {
     std::vector<std::string> files;
     for (int i = 0; i < 27; ++i) files.push_back("lib/a/" + std::to_string(i) + ".hpp");
     CHECK(tells(faults({{"lib/a", {}}}, files, {}), "lib/a: holds 27 files"));
   }
 
-  TEST_CASE("a source that a comment names is there") {
+  TEST_CASE("a source that a comment names exists") {
     const Texts texts = read_sources(LOADPATH_ROOT);
     std::set<std::string> names;
     for (const std::string& file : files_of(texts)) names.insert(fs::path(file).filename().string());

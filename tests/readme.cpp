@@ -24,7 +24,7 @@ std::vector<Command> commands_of_page(const std::string& page) {
 }  // namespace
 
 TEST_SUITE("readme" * by_case) {
-  TEST_CASE("every command line exits with the code that it is said to") {
+  TEST_CASE("every command line exits with the stated code") {
     for (const char* page : {"/README.md", "/docs/commands.md"}) {
       CAPTURE(page);
       std::string text;
@@ -37,7 +37,7 @@ TEST_SUITE("readme" * by_case) {
     }
   }
 
-  TEST_CASE("what docs/sweeps.md shows works, one command after the other") {
+  TEST_CASE("the commands shown in docs/sweeps.md work, one after the other") {
     std::string text;
     REQUIRE(toml::read_file(LOADPATH_ROOT "/docs/sweeps.md", text));
     CHECK(commands_of_page(text).size() >= 5);
@@ -57,7 +57,7 @@ TEST_SUITE("readme" * by_case) {
 
   TEST_CASE("README.md is at most 10 kB") { CHECK(std::filesystem::file_size(LOADPATH_ROOT "/README.md") <= 10240); }
 
-  TEST_CASE("every command of the help stands in a line that can be typed") {
+  TEST_CASE("every command of the help is in a line that can be typed") {
     std::string text;
     REQUIRE(toml::read_file(LOADPATH_ROOT "/docs/commands.md", text));
     std::istringstream help(loadpath_with({"--help"}).out);

@@ -127,7 +127,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 }  // namespace
 
 TEST_SUITE("report pages" * test::by_example) {
-  TEST_CASE("page 1 has everything to decide by, and at most three pages come before the appendix") {
+  TEST_CASE("page 1 has everything needed to decide, and at most three pages come before the appendix") {
     for (const std::string& name : examples()) {
       CAPTURE(name);
       const project::Project& project = machine(name);
@@ -164,7 +164,7 @@ TEST_SUITE("report pages" * test::by_example) {
     CHECK(panel_of(document, "Input data") != nullptr);
   }
 
-  TEST_CASE("of the governing modes each has a number, the failing ones come first, then the most utilised") {
+  TEST_CASE("each governing mode has a number, the failing ones come first, then the highest utilisations") {
     for (const std::string& name : examples()) {
       CAPTURE(name);
       const Document document = brief_of(machine(name));

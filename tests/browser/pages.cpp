@@ -96,7 +96,7 @@ const std::string ragged = R"((() => {
 }  // namespace
 
 TEST_SUITE("pages in a browser" * takes_share) {
-  TEST_CASE("nothing stands out of the page, over other text, letter below letter, or leads nowhere") {
+  TEST_CASE("nothing overflows the page, overlaps other text or breaks letter by letter, and every link has a target") {
     if (browser_there().empty()) {
       MESSAGE("skipped: no Chromium");
       return;
@@ -129,7 +129,7 @@ TEST_SUITE("pages in a browser" * takes_share) {
     }
   }
 
-  TEST_CASE("the appendix is folded, and a link opens the section that it leads to") {
+  TEST_CASE("the appendix is folded, and a link into it opens the section that it leads to") {
     if (browser_there().empty()) {
       MESSAGE("skipped: no Chromium");
       return;

@@ -967,7 +967,7 @@ std::vector<Run> loadpath::test::runs_of_limit_cases() {
 }
 
 TEST_SUITE("limit cases" * by_element) {
-  TEST_CASE("what is known without the calculator") {
+  TEST_CASE("results that are known without the calculator") {
     for (const auto& group : groups) {
       for (const Case& row : group) {
         if (!takes_id(row.calculator)) continue;
@@ -982,7 +982,7 @@ TEST_SUITE("limit cases" * by_element) {
     }
   }
 
-  TEST_CASE("every plain calculator has one") {
+  TEST_CASE("every plain calculator has a limit case") {
     std::set<std::string_view> tried;
     for (const auto& group : groups) {
       for (const Case& row : group) tried.insert(row.calculator);

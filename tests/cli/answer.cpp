@@ -25,7 +25,7 @@ TEST_SUITE("cli answer") {
     }
   }
 
-  TEST_CASE("--full has the tables of the parts, --modes every failure mode and no table; not both") {
+  TEST_CASE("--full has the tables of the elements, --modes every failure mode and no table; not both") {
     const Ran full = loadpath_with({"run", shaft, "--full"}), modes = loadpath_with({"run", shaft, "--modes"});
     CHECK(contains(full.out, "\n  tau_max "));
     CHECK_FALSE(contains(modes.out, "\n  tau_max "));
@@ -46,7 +46,7 @@ TEST_SUITE("cli answer") {
     CHECK(count >= 3);
   }
 
-  TEST_CASE("--quiet prints the verdict line where it is no pass") {
+  TEST_CASE("--quiet prints the verdict line unless it is a pass") {
     CHECK(loadpath_with({"run", shaft, "--quiet"}).out.empty());
     const Ran ran =
         Desk().run({"run", "-", "--quiet"},
@@ -56,7 +56,7 @@ TEST_SUITE("cli answer") {
     CHECK(ran.out.find('\n') + 1 == ran.out.size());
   }
 
-  TEST_CASE("a slip that breaks a rule at many places is told at thirty of them") {
+  TEST_CASE("a typing error that breaks a rule at many places is reported at thirty of them") {
     std::string many;
     for (int i = 0; i < 40; ++i) many += "[s" + std::to_string(i) + "]\ncalculator = \"shaft.torsion\"\nT = \"1 mm\"\n";
     const Ran ran = Desk().run({"run", "-"}, many);
@@ -69,13 +69,13 @@ TEST_SUITE("cli answer") {
     CHECK(shown <= 30);
   }
 
-  TEST_CASE("a locale of another encoding has bars of ASCII") {
+  TEST_CASE("in a locale of another encoding bars are ASCII") {
     const Ran ran = Desk().run({"run", shaft}, "", {{"LC_ALL", "C"}});
     CHECK(contains(ran.out, " 0.859 ########"));
     CHECK_FALSE(contains(ran.out, "█"));
   }
 
-  TEST_CASE("a search without a solution names what was tried and the nearest") {
+  TEST_CASE("a search without a solution names the sizes tried and the nearest") {
     const std::string strut =
         "[strut]\ncalculator = \"column.buckling\"\nP = \"149 kN\"\nl = \"840 mm\"\nends = \"pinned_pinned\"\n"
         "d = \"?\"\nmaterial = \"S235JR\"\nmethod = \"euler\"\nsigma_P = \"235 MPa\"\nn_st = 3\n";

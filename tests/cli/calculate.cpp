@@ -20,7 +20,7 @@ TEST_SUITE("cli calculate") {
     CHECK(contains(o.out, "pass  torsion.u_tau"));
   }
 
-  TEST_CASE("the answer in short: verdict, governing check, size, the formulas of that check") {
+  TEST_CASE("the short answer: verdict, governing check, size, the formulas of that check") {
     const Ran o = loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa"});
     CHECK(o.code == 0);
     CHECK(o.out.starts_with("PASS (torsion only; fatigue"));
@@ -51,13 +51,13 @@ TEST_SUITE("cli calculate") {
     CHECK(contains(loadpath_with({"shaft", "torsion", "--T", "-5 N*m", "--tau_adm", "30 MPa"}).out, "-5 N·m"));
   }
 
-  TEST_CASE("a list is TOML's inline text") {
+  TEST_CASE("a list is inline TOML") {
     CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa", "--torques",
                          R"([{ x = "0 mm", T = "90 N*m" }, { x = "1 m", T = "-90 N*m" }])"})
               .code == 0);
   }
 
-  TEST_CASE("an error stands at its place in the flag's own text") {
+  TEST_CASE("an error is shown at its place in the text of the flag") {
     CHECK(loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 mpa"}).error ==
           R"(--tau_adm:1:4: error: unknown unit 'mpa'
 1 | 30 mpa
@@ -75,20 +75,20 @@ TEST_SUITE("cli calculate") {
               .error.starts_with("--torques:1:10: error: not valid TOML"));
   }
 
-  TEST_CASE("an unknown flag is told with the nearest one, and nothing is computed") {
+  TEST_CASE("an unknown flag is reported with the nearest one, and nothing is computed") {
     const Ran o = loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tua_adm", "30 MPa"});
     CHECK(o.code == 2);
     CHECK(o.out.empty());
     CHECK(contains(o.error, "unknown option '--tua_adm'\n  = help: did you mean '--tau_adm' ("));
   }
 
-  TEST_CASE("a flag without its value and a word too many are told") {
+  TEST_CASE("a flag without its value and a superfluous word are reported") {
     const std::string help = "  = help: `loadpath shaft torsion --help` shows what there is\n";
     CHECK(loadpath_with({"shaft", "torsion", "--T"}).error == "loadpath: '--T' needs a value\n" + help);
     CHECK(loadpath_with({"shaft", "torsion", "heavy"}).error == "loadpath: 'heavy' is not expected here\n" + help);
   }
 
-  TEST_CASE("a flag that is given twice is told, and nothing is computed") {
+  TEST_CASE("a flag that is given twice is reported, and nothing is computed") {
     const Ran o = loadpath_with({"shaft", "torsion", "--T", "1 N*m", "--T", "2 N*m", "--tau_adm", "30 MPa"});
     CHECK(o.code == 2);
     CHECK(o.out.empty());
@@ -97,12 +97,12 @@ TEST_SUITE("cli calculate") {
           "loadpath: '--csv' is given more than once\n  = help: it takes one value: leave out all but one\n");
   }
 
-  TEST_CASE("a rule that is broken is told without a place") {
+  TEST_CASE("a rule that is broken is reported without a place") {
     CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa"}).error ==
           "command line: error: torsion: give the torque T, or the power P with the speed n, or torques\n");
   }
 
-  TEST_CASE("a mechanism from the shell is told what it lacks") {
+  TEST_CASE("missing input of a mechanism in the shell is reported") {
     const Ran o =
         loadpath_with({"mechanism", "planar", "--links", R"({ crank = { points = { O = ["0 mm", "0 mm"] } } })"});
     CHECK(o.code == 2);
@@ -132,7 +132,7 @@ TEST_SUITE("cli calculate") {
           "mean 'scotch_yoke'?\n");
   }
 
-  TEST_CASE("a report is written from the shell too") {
+  TEST_CASE("a report is written from the shell, too") {
     const Desk desk;
     CHECK(desk.run({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa", "--title", "Drive", "--report",
                     "a.html"})
@@ -140,7 +140,7 @@ TEST_SUITE("cli calculate") {
     CHECK(contains(desk.get("a.html"), "Drive"));
   }
 
-  TEST_CASE("an id is as good as its two words") {
+  TEST_CASE("an id is equivalent to its two words") {
     const std::vector<std::string> flags{"--T", "2700 N*m", "--tau_adm", "30 MPa"};
     std::vector<std::string> one{"shaft.torsion"}, two{"shaft", "torsion"};
     one.insert(one.end(), flags.begin(), flags.end());
@@ -150,7 +150,7 @@ TEST_SUITE("cli calculate") {
     CHECK(loadpath_with({"shaft.torsoin"}).code == 2);
   }
 
-  TEST_CASE("--accept answers for a mode that is not judged, --strict asks for the open ones") {
+  TEST_CASE("--accept accepts a mode that is not assessed, --strict counts the open ones") {
     const std::vector<std::string> gears{"gear",          "pair",    "--z_1",         "20",     "--z_2", "57",
                                          "--m_n",         "2.5 mm",  "--T_1",         "60 N*m", "--b",   "25 mm",
                                          "--sigma_adm_1", "200 MPa", "--sigma_adm_2", "200 MPa"};

@@ -17,7 +17,7 @@ Ran convert(std::vector<std::string> words) {
 }  // namespace
 
 TEST_SUITE("cli convert") {
-  TEST_CASE("quantities become what is asked for") {
+  TEST_CASE("quantities are converted to the given unit") {
     const Row rows[] = {
         {{"2700 lbf*in", "N*m"}, "305.0590384 N·m\n"},
         {{"2,5 kN·m", "N*m"}, "2500 N·m\n"},
@@ -34,7 +34,7 @@ TEST_SUITE("cli convert") {
     }
   }
 
-  TEST_CASE("a quantity divided by its blank is reported with the quotes it needs") {
+  TEST_CASE("a quantity split at its blank is reported with the quotes it needs") {
     CHECK(
         convert({"10", "kN"}).error.ends_with("help: a value with a blank needs quotes: loadpath convert \"10 kN\"\n"));
   }
@@ -51,9 +51,9 @@ TEST_SUITE("cli convert") {
               .error.ends_with("  = help: did you mean 'HEA 140' or 'HEA 160'?\n"));
   }
 
-  TEST_CASE("a unit that is left out is chosen") { CHECK(convert({"2700 lbf*in"}).out == "305.0590384 N·m\n"); }
+  TEST_CASE("without a unit one is chosen") { CHECK(convert({"2700 lbf*in"}).out == "305.0590384 N·m\n"); }
 
-  TEST_CASE("what is wrong is told at its character") {
+  TEST_CASE("an error is reported at its character") {
     CHECK(convert({"30 mpa"}).error ==
           "quantity:1:4: error: unknown unit 'mpa'\n1 | 30 mpa\n  |    ^^^\n  = help: did you mean 'MPa'?\n");
     CHECK(convert({"30 mm", "mn"}).error.starts_with("unit:1:1: error: unknown unit 'mn'\n"));

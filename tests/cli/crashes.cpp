@@ -116,7 +116,7 @@ std::chrono::microseconds writing_time(const Desk& desk) {
 }  // namespace
 
 TEST_SUITE("cli crashes" * by_case * takes_share) {
-  TEST_CASE("kills while it writes lose no old file, and the next run removes what they left") {
+  TEST_CASE("kills during writing lose no old file, and the next run removes what they left") {
     const Desk desk;
     std::mt19937 random(11);
     desk.put("a.toml", press);
@@ -138,7 +138,7 @@ TEST_SUITE("cli crashes" * by_case * takes_share) {
     CHECK_FALSE(has_parts(desk));
   }
 
-  TEST_CASE("interrupts while it writes lose no old file and leave nothing beside") {
+  TEST_CASE("interrupts during writing lose no old file and leave no other files") {
     const Desk desk;
     std::mt19937 random(12);
     desk.put("a.toml", press);

@@ -41,14 +41,14 @@ std::string in_words(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("cli diff") {
-  TEST_CASE("nothing differs where the same is said in another order and other units") {
+  TEST_CASE("there is no difference where the same is given in another order and other units") {
     const Ran same = diff(shaft + rod, "# other words\n" + rod + changed(shaft, "900 N*m", "0.9 kN*m"));
     CHECK(same.code == 0);
     CHECK(same.out == "a.toml -> b.toml\nno difference\n");
     CHECK(same.error.empty());
   }
 
-  TEST_CASE("inputs, chosen sizes, verdicts, governing modes, utilisations and results are told by step") {
+  TEST_CASE("inputs, chosen sizes, verdicts, governing modes, utilisations and results are compared by step") {
     const Ran told = diff(shaft + rod, changed(shaft, "900 N*m", "1200 N*m") + rod);
     CHECK(told.code == 1);
     const std::string words = in_words(told.out);
@@ -62,7 +62,7 @@ TEST_SUITE("cli diff") {
     CHECK(contains(in_words(weak.out), "\n verdict yield pass -> fail"));
   }
 
-  TEST_CASE("steps that come and go, and another calculator, are told") {
+  TEST_CASE("added and removed steps, and another calculator, are reported") {
     const Ran gone = diff(shaft + rod, shaft);
     CHECK(gone.code == 1);
     CHECK(contains(gone.out, "\nrod: Stress cycle (fatigue.cycle), removed: "));
@@ -86,7 +86,7 @@ TEST_SUITE("cli diff") {
     CHECK(contains(in_words(accepted.out), "\n verdict fatigue not considered -> accepted by user"));
   }
 
-  TEST_CASE("as JSON every difference is told, with its relative change") {
+  TEST_CASE("as JSON every difference is listed, with its relative change") {
     const Ran told = diff(shaft, changed(shaft, "900 N*m", "1200 N*m"), {"--json"});
     CHECK(told.code == 1);
     const json::object all = json::parse(told.out).as_object();
@@ -101,7 +101,7 @@ TEST_SUITE("cli diff") {
     CHECK_FALSE(json::parse(diff(shaft, shaft, {"--json"}).out).at("differ").as_bool());
   }
 
-  TEST_CASE("what cannot be solved or read is told, and nothing is compared") {
+  TEST_CASE("a file that cannot be solved or read is reported, and nothing is compared") {
     const Ran wrong = diff(shaft, changed(shaft, "MPa", "mpa"));
     CHECK(wrong.code == 2);
     CHECK(wrong.out.empty());

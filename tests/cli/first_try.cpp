@@ -21,7 +21,7 @@ TEST_SUITE("cli first try") {
     CHECK(holds(o.out + o.error, "gamma_M1 = 1.0, gamma_F = 1"));
   }
 
-  TEST_CASE("buckling is shown before the limit of slenderness, which stands alone where no force is given") {
+  TEST_CASE("buckling is shown before the slenderness limit, which is shown alone without a force") {
     const std::vector<std::string> words{"column", "buckling", "--section",     "HEB 160",    "--l",
                                          "4 m",    "--ends",   "pinned_pinned", "--material", "S235"};
     std::vector<std::string> loaded = words;
@@ -34,7 +34,7 @@ TEST_SUITE("cli first try") {
     CHECK(loadpath_with(loaded).code == 0);  // asked for
   }
 
-  TEST_CASE("a rod without a strength asks for it in two lines at most") {
+  TEST_CASE("a rod without a strength asks for it in at most two lines") {
     const Ran o = loadpath_with(
         {"column", "buckling", "--l", "1 m", "--d", "?", "--ends", "pinned_pinned", "--P", "20 kN", "--E", "210 GPa"});
     CHECK(o.code == 2);
@@ -49,7 +49,7 @@ TEST_SUITE("cli first try") {
     CHECK(holds(o.out, "T = P / n"));
   }
 
-  TEST_CASE("belts take n_2, i and a as flags beside n_2_set, i_set and a_set") {
+  TEST_CASE("belts take n_2, i and a as flags as well as n_2_set, i_set and a_set") {
     const std::vector<std::string> words{"belt", "v_sizing", "--P", "11 kW", "--K_A", "1.2", "--n_1", "1460 rpm"};
     const auto with = [&](std::vector<std::string> more) {
       std::vector<std::string> all = words;

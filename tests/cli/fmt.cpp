@@ -96,7 +96,7 @@ source = "own"
 }  // namespace
 
 TEST_SUITE("cli fmt") {
-  TEST_CASE("tables and keys come into order, comments stay with what they are about, spaces are one") {
+  TEST_CASE("tables and keys are put in order, comments stay with their lines, blanks are single") {
     CHECK(laid_out(untidy) == tidy);
     CHECK(laid_out(tidy) == tidy);
   }
@@ -113,7 +113,7 @@ TEST_SUITE("cli fmt") {
           "[a]\nb = [[1, 2], []]\nc = {}\nd.\"x y\".z = { k.m = 1, n = {} }\n");
   }
 
-  TEST_CASE("comments of neighbouring lines stand in one column, and texts of several lines stay") {
+  TEST_CASE("comments of neighbouring lines are aligned, and texts of several lines are unchanged") {
     CHECK(laid_out("[values]\nP = \"1 kN\" # force\nlength = 2    # times\nq = 3\nr = 4 # alone\n") ==
           "[values]\nP = \"1 kN\"  # force\nlength = 2  # times\nq = 3\nr = 4  # alone\n");
     const std::string several =
@@ -137,7 +137,7 @@ TEST_SUITE("cli fmt") {
 }
 
 TEST_SUITE("cli fmt: every project" * by_element) {
-  TEST_CASE("what is laid out says the same to the bit, and is laid out already") {
+  TEST_CASE("a formatted file has the same values to the bit, and does not change again") {
     for (const fs::path& file : all_projects()) {
       CAPTURE(file.string());
       std::string text;
@@ -165,7 +165,7 @@ TEST_SUITE("cli fmt") {
     }
   }
 
-  TEST_CASE("files are written in place where they change, and --check tells which would") {
+  TEST_CASE("files are formatted in place where they change, and --check lists those that would") {
     const Desk desk;
     desk.put("a.toml", untidy);
     desk.put("b.toml", tidy);
@@ -181,7 +181,7 @@ TEST_SUITE("cli fmt") {
     CHECK(Desk().run({"fmt", "--check", "-"}, untidy).code == 1);
   }
 
-  TEST_CASE("what is no TOML is told, and no file is written; a project with other errors is laid out") {
+  TEST_CASE("a file that is not TOML is reported and not written; a project with other errors is formatted") {
     const Desk desk;
     desk.put("a.toml", untidy);
     desk.put("b.toml", "[shaft\n");
@@ -193,7 +193,7 @@ TEST_SUITE("cli fmt") {
     CHECK(laid_out("[a]\nx=1\ncalculator=\"shaft.torsio\"\n") == "[a]\nx = 1\ncalculator = \"shaft.torsio\"\n");
   }
 
-  TEST_CASE("every template is laid out already") {
+  TEST_CASE("every template is already formatted") {
     for (const char* name : {"belt", "column", "mechanism", "shaft", "vessel"}) {
       CAPTURE(name);
       CHECK(Desk().run({"fmt", "--check", "-"}, Desk().run({"init", name, "-"}).out).code == 0);

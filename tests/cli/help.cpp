@@ -9,7 +9,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 }  // namespace
 
 TEST_SUITE("cli help") {
-  TEST_CASE("no words: the help on standard error, exit 2") {
+  TEST_CASE("no arguments: the help on standard error, exit 2") {
     const Ran o = loadpath_with({});
     CHECK(o.code == 2);
     CHECK(o.out.empty());
@@ -17,7 +17,7 @@ TEST_SUITE("cli help") {
     CHECK(contains(o.error, "Exit codes: 0 every failure mode that applies passes"));
   }
 
-  TEST_CASE("--help and --version are answers") {
+  TEST_CASE("--help and --version print to standard output, exit 0") {
     CHECK(loadpath_with({"--help"}).code == 0);
     CHECK(contains(loadpath_with({"--help"}).out, "shaft                       calculators: torsion, overhung"));
     CHECK(loadpath_with({"--version"}).code == 0);
@@ -42,7 +42,7 @@ TEST_SUITE("cli help") {
     CHECK(contains(loadpath_with({"mechanism", "planar", "--help"}).out, "--positions COUNT"));
   }
 
-  TEST_CASE("an unknown command is told with the nearest one, or with all") {
+  TEST_CASE("an unknown command is reported with the nearest one, or with all") {
     CHECK(loadpath_with({"runn", "a.toml"}).error ==
           "loadpath: unknown command 'runn'\n  = help: did you mean 'run'?\n");
     CHECK(loadpath_with({"teapot"})
@@ -52,14 +52,14 @@ TEST_SUITE("cli help") {
     CHECK(loadpath_with({"teapot"}).code == 2);
   }
 
-  TEST_CASE("an unknown command is reported with what the word means") {
+  TEST_CASE("an unknown command is reported with the meaning of the word") {
     CHECK(contains(loadpath_with({"torsion"}).error, "did you mean 'shaft torsion'?"));
     CHECK(contains(loadpath_with({"bolt"}).error, "not included: bolted joints"));
     CHECK(contains(loadpath_with({"materials"}).error, "did you mean 'tables materials'?"));
     CHECK(contains(loadpath_with({"report"}).error, "did you mean 'run'"));
   }
 
-  TEST_CASE("a value divided by its blank is reported with the quotes it needs") {
+  TEST_CASE("a value split at its blank is reported with the quotes it needs") {
     CHECK(loadpath_with({"shaft", "torsion", "--T", "2700", "N*m", "--tau_adm", "30 MPa"}).error ==
           "loadpath: 'N*m' is not expected here\n  = help: a value with a blank needs quotes: --T \"2700 N*m\"\n");
   }
@@ -72,13 +72,13 @@ TEST_SUITE("cli help") {
     CHECK(contains(said("--n"), "write --crank '{ speed = \"... rad/s\" }'"));
   }
 
-  TEST_CASE("an unknown calculator is told with the nearest one") {
+  TEST_CASE("an unknown calculator is reported with the nearest one") {
     const Ran o = loadpath_with({"shaft", "torsoin", "--T", "3 N*m"});
     CHECK(o.code == 2);
     CHECK(o.error == "loadpath: unknown calculator 'shaft torsoin'\n  = help: did you mean 'shaft torsion'?\n");
   }
 
-  TEST_CASE("an unknown option is told with the nearest one") {
+  TEST_CASE("an unknown option is reported with the nearest one") {
     CHECK(contains(loadpath_with({"run", "--rport", "a.html", "a.toml"}).error,
                    "loadpath: unknown option '--rport'\n  = help: did you mean '--report' ("));
     CHECK(contains(loadpath_with({"--versoin"}).error,
@@ -91,7 +91,7 @@ TEST_SUITE("cli help") {
     CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).code == 2);
   }
 
-  TEST_CASE("a missing word and a word too many are told") {
+  TEST_CASE("a missing word and a superfluous word are reported") {
     CHECK(loadpath_with({"run"}).error ==
           "loadpath: FILE is missing\n  = help: `loadpath run FILE`; `loadpath run --help` shows what there is\n");
     CHECK(loadpath_with({"sweep", "a.toml", "b.toml"}).error ==

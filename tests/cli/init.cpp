@@ -48,7 +48,7 @@ Ran on_terminal(const Desk& desk, const std::vector<std::string>& words, const s
 }  // namespace
 
 TEST_SUITE("cli init") {
-  TEST_CASE("every template runs: what is judged passes, what is not is listed as open, nothing is without effect") {
+  TEST_CASE("every template runs: assessed modes pass, others are listed as open, nothing is without effect") {
     for (const char* name : {"belt", "chain", "column", "gear", "mechanism", "shaft", "vessel", "worm"}) {
       CAPTURE(name);
       const Desk desk;
@@ -65,7 +65,7 @@ TEST_SUITE("cli init") {
     }
   }
 
-  TEST_CASE("without a template, and nobody to ask, the templates are told") {
+  TEST_CASE("without a template and without a terminal, the templates are listed") {
     const Ran ran = loadpath_with({"init"});
     CHECK(ran.code == 2);
     CHECK(contains(ran.error, "belt, chain, column, gear, mechanism, shaft, vessel, worm"));
@@ -85,7 +85,7 @@ TEST_SUITE("cli init") {
     CHECK(Desk().run({"run", "-", "--quiet"}, ran.out).code == 0);
   }
 
-  TEST_CASE("a file that is there stays, and what is wrong is told; nothing is written") {
+  TEST_CASE("an existing file is kept, and the error is reported; nothing is written") {
     const Desk desk;
     desk.put("shaft.toml", "mine");
     const Ran there = desk.run({"init", "shaft"});
@@ -107,7 +107,7 @@ TEST_SUITE("cli init") {
     CHECK(desk.files() == std::vector<std::string>{"shaft.toml"});
   }
 
-  TEST_CASE("on a terminal it asks, again where an answer does not do") {
+  TEST_CASE("on a terminal it asks, and again where an answer is not valid") {
     const Desk desk;
     desk.put("column.toml", "mine");
     const Ran ran = on_terminal(desk, {"init"}, "colum\ncolumn\n\ntower.toml\n450 kn\n450 kN\n\n\n\n");

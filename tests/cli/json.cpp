@@ -22,7 +22,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 }  // namespace
 
 TEST_SUITE("knowledge as json") {
-  TEST_CASE("list, and describe of every calculator in it") {
+  TEST_CASE("list, and describe for every calculator in it") {
     const json::value all = told({"list", "--json"});
     const auto& calculators = all.at("calculators").as_array();
     CHECK(calculators.size() >= 46);
@@ -35,7 +35,7 @@ TEST_SUITE("knowledge as json") {
     CHECK(told({"list", "shaft", "--json"}).at("calculators").as_array().size() < 20);
   }
 
-  TEST_CASE("a field has its unit in SI, its bounds and its words") {
+  TEST_CASE("a field has its unit in SI, its bounds and its choices") {
     const json::value torsion = told({"describe", "shaft.torsion", "--json"});
     for (const json::value& field : torsion.at("inputs").as_array()) {
       if (field.at("key") != "tau_adm") continue;
@@ -69,7 +69,7 @@ TEST_SUITE("knowledge as json") {
     CHECK(cases.at(0).at("ours").to_number<double>() == doctest::Approx(86.085).epsilon(1e-4));
   }
 
-  TEST_CASE("describe by part: one input with all that it holds, or what is told of it") {
+  TEST_CASE("describe by part: one input, the failure modes, the example") {
     const Ran loads = loadpath_with({"describe", "mechanism.planar", "loads"});
     CHECK(loads.code == 0);
     CHECK(contains(loads.out, "loads[].at"));
@@ -81,7 +81,7 @@ TEST_SUITE("knowledge as json") {
     CHECK(contains(wrong.error, "did you mean 'modes'?"));
   }
 
-  TEST_CASE("words that are near lead on") {
+  TEST_CASE("similar names lead to the right command") {
     CHECK(contains(loadpath_with({"describe", "shaft"}).error, "shaft.torsion"));
     const Ran id = loadpath_with({"list", "shaft.torsion"});
     CHECK(id.code == 0);

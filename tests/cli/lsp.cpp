@@ -84,7 +84,7 @@ json::array told(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("lsp") {
-  TEST_CASE("a session begins, ends, and says what it can") {
+  TEST_CASE("a session begins, ends, and lists its capabilities") {
     Editor editor;
     editor.run();
     CHECK(editor.code() == 0);
@@ -96,7 +96,7 @@ TEST_SUITE("lsp") {
     CHECK(editor.answer(2).is_null());
   }
 
-  TEST_CASE("an editor that leaves without a word, or is not told to wait, ends it with 1") {
+  TEST_CASE("an editor that closes without exit, or exits without shutdown, ends it with 1") {
     Editor gone;
     gone.run(false);
     CHECK(gone.code() == 1);
@@ -109,7 +109,7 @@ TEST_SUITE("lsp") {
     CHECK(none.code() == 0);
   }
 
-  TEST_CASE("what it does not know or cannot read gets the errors of the protocol") {
+  TEST_CASE("an unknown or unreadable message gets the errors of the protocol") {
     Editor early(false);
     const int first = early.ask("textDocument/hover", {});
     early.say("{ no JSON");
@@ -138,7 +138,7 @@ TEST_SUITE("lsp") {
     CHECK(editor.code() == 0);
   }
 
-  TEST_CASE("a fault stands at its place, counted in UTF-16, with its help") {
+  TEST_CASE("an error is shown at its place, counted in UTF-16, with its help") {
     const json::array all = told(
         "[a]\ncalculator = \"shaft.torsion\"\ntitle = \"\xF0\x9F\x94\xA9\" # \xC3\xA4\nT = \"3 "
         "N*m\"\ntau_adm = \"30 mpa\"\n");
@@ -154,14 +154,14 @@ TEST_SUITE("lsp") {
     CHECK(wide[0].at("range").at("start") == json::parse(R"({"line": 4, "character": 25})"));
   }
 
-  TEST_CASE("what is no TOML is told where it stands") {
+  TEST_CASE("a text that is not TOML is reported at its place") {
     const json::array all = told("[a]\ncalculator = \"shaft.torsion\"\nT = 900 N*m\n");
     REQUIRE(all.size() == 1);
     CHECK(all[0].at("range").at("start").at("line") == 2);
     CHECK(contains(text_of(all[0].at("message")), "write a quantity in quotes"));
   }
 
-  TEST_CASE("a part that fails is a warning at its step, one that is not judged an information") {
+  TEST_CASE("a part that fails is a warning at its step, one that is not assessed an information") {
     const json::array all = told(shaft);
     const auto fails = std::find_if(all.begin(), all.end(), [](const json::value& d) {
       return text_of(d.at("message")).starts_with("FAIL: ") || text_of(d.at("message")).starts_with("fail: ");
@@ -172,7 +172,7 @@ TEST_SUITE("lsp") {
     CHECK(contains(text_of(fails->at("message")), "utilisation"));
   }
 
-  TEST_CASE("changes of parts of the text and of all of it are taken, and a closed file has no faults") {
+  TEST_CASE("changes of parts of the text and of the full text are applied, and a closed file has no errors") {
     Editor editor;
     editor.open(shaft);
     const auto change = [&](json::array changes) {
@@ -195,7 +195,7 @@ TEST_SUITE("lsp") {
     CHECK(editor.diagnostics().empty());
   }
 
-  TEST_CASE("the pointer over a key is told what the field means, its unit, range and default") {
+  TEST_CASE("hover over a key shows the meaning of the field, its unit, range and default") {
     const std::string text = hover_at_bar(with_bar(shaft, "tau_ad"));
     CHECK(text.starts_with("**tau_adm**: "));
     CHECK(contains(text, "MPa"));
@@ -204,7 +204,7 @@ TEST_SUITE("lsp") {
     CHECK(hover_at_bar(with_bar(shaft, "[pi")).starts_with("**shaft.torsion**: "));
   }
 
-  TEST_CASE("the pointer over a value is told it in other units, an expression, a row") {
+  TEST_CASE("hover over a value shows it in other units, an expression, a row") {
     CHECK(contains(hover_at_bar(with_bar(shaft, "\"40 ")), "0.04 m = 40 mm = 1.5748 in"));
     const std::string doubled = hover_at_bar(with_bar(shaft, "=2 * ax"));
     CHECK(contains(doubled, "**= 1800 N\xC2\xB7m** (moment)"));
@@ -215,7 +215,7 @@ TEST_SUITE("lsp") {
     CHECK(hover_at_bar(with_bar(shaft, "S = 2\n")).empty());
   }
 
-  TEST_CASE("keys are completed by those that the step has not, also in a text that does not parse") {
+  TEST_CASE("keys are completed by those that the step does not have yet, also in a text that does not parse") {
     const json::value all = completed("[a]\ncalculator = \"shaft.torsion\"\nT = \"3 N*m\"\nta|\n[b]\nd = \"");
     const auto labels = labels_of(all);
     for (const char* key : {"tau_adm", "d", "material", "title", "accept"}) CHECK(has(labels, key));
@@ -284,7 +284,7 @@ TEST_SUITE("lsp") {
     CHECK(line_of("[tables.materials.\"C 4\"]\n" + with_bar(shaft, "C4").replace(shaft.find("C45E"), 5, "C|4")) == 0);
   }
 
-  TEST_CASE("values of expressions, of searches and of shared values stand in the line") {
+  TEST_CASE("values of expressions, of searches and of shared values are shown in the line") {
     Editor editor;
     editor.open(shaft);
     const int id = editor.ask(
@@ -299,7 +299,7 @@ TEST_SUITE("lsp") {
     CHECK(hints[1].at("label") == "= 1800 N\xC2\xB7m");
   }
 
-  TEST_CASE("steps are the symbols of a file, with their tables in them") {
+  TEST_CASE("steps are the symbols of a file, with their tables inside") {
     Editor editor;
     editor.open("[project]\ntitle = \"a\"\n[m]\ncalculator = \"mechanism.planar\"\n[m.links.rod]\nmass = \"1 kg\"\n");
     const int id =
@@ -323,7 +323,7 @@ TEST_SUITE("lsp") {
     CHECK(contains(ran.out, "heard 0"));
   }
 
-  TEST_CASE("two hundred broken texts and what is asked of them neither stop nor stall it") {
+  TEST_CASE("two hundred broken texts and requests on them neither stop nor stall it") {
     std::mt19937 random(1);  // the same everywhere
     const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % std::max<std::size_t>(n, 1)); };
     std::vector<std::string> texts;

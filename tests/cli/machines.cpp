@@ -41,7 +41,7 @@ const std::string until_left = "while loadpath sweep --status by | grep -q 'at w
 }  // namespace
 
 TEST_SUITE("sweep over machines" * by_case) {
-  TEST_CASE("any number of ranks writes the bytes of one process") {
+  TEST_CASE("any number of ranks writes the same bytes as one process") {
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
@@ -62,7 +62,7 @@ TEST_SUITE("sweep over machines" * by_case) {
     CHECK(same_folders(desk, "plain", "by"));
   }
 
-  TEST_CASE("one rank alone reads standard input, prints and writes") {
+  TEST_CASE("only one rank reads standard input, prints and writes") {
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
@@ -81,7 +81,7 @@ TEST_SUITE("sweep over machines" * by_case) {
     CHECK(wrong.error.find(told) == wrong.error.rfind(told));
   }
 
-  TEST_CASE("a rank that reads other files is told, and nothing is solved") {
+  TEST_CASE("a rank that reads other files is reported, and nothing is solved") {
     if (!is_built()) return;
     const Desk desk;
     const std::string table = R"(table = "mine/steels"
@@ -110,7 +110,7 @@ G = 8)";
     CHECK(contains(other.error, "reads other files than the first rank"));
   }
 
-  TEST_CASE("a rank that all others wait for is told with its points") {
+  TEST_CASE("a rank that all others wait for is reported with its points") {
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
@@ -125,7 +125,7 @@ G = 8)";
     CHECK(contains(errors, ": points "));
   }
 
-  TEST_CASE("more ranks than blocks, and a folder that goes on by other ranks") {
+  TEST_CASE("more ranks than blocks, and a folder that is continued by other ranks") {
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
@@ -170,7 +170,7 @@ G = 8)";
     CHECK(same_folders(desk, "plain", "out"));
   }
 
-  TEST_CASE("Ctrl-C on mpirun keeps what was saved, and the folder tells what is missing") {
+  TEST_CASE("Ctrl-C on mpirun keeps the saved state, and the folder states what is missing") {
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
@@ -186,7 +186,7 @@ G = 8)";
     CHECK_MESSAGE(contains(status.out, "go on    loadpath sweep a.toml --out by --resume"), status.out);
   }
 
-  TEST_CASE("where a rank is lost, the folder tells what is missing") {
+  TEST_CASE("if a rank is lost, the folder states what is missing") {
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
@@ -201,7 +201,7 @@ G = 8)";
 }
 
 TEST_SUITE("sweep over machines: killed" * takes_share) {
-  TEST_CASE("of a sweep whose ranks are killed a hundred times nothing is lost that --resume does not restore") {
+  TEST_CASE("after a hundred kills of its ranks, --resume restores everything of a sweep") {
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);

@@ -45,7 +45,7 @@ TEST_SUITE("cli mechanism") {
     CHECK_FALSE(contains(o.out, "broken"));
   }
 
-  TEST_CASE("at given angles there is no mean over time, and no column of it") {
+  TEST_CASE("at given angles there is no mean over time, and no column for it") {
     const Ran given = mechanism(Desk(), {"--at", "[\"0 deg\", \"90 deg\"]"}), turn = mechanism(Desk(), {});
     const auto head = [](const std::string& text) {
       const std::size_t from = text.find("largest");
@@ -56,7 +56,7 @@ TEST_SUITE("cli mechanism") {
     CHECK_FALSE(contains(head(given.out), "rms"));
   }
 
-  TEST_CASE("flags stand in place of what the file says") {
+  TEST_CASE("flags replace the values in the file") {
     CHECK(contains(mechanism(Desk(), {"--positions", "36"}).out, "  36 of 36  "));
     CHECK(contains(mechanism(Desk(), {"--at", "[\"0 deg\", \"90 deg\"]"}).out, "  2 of 2  "));
     CHECK(contains(mechanism(Desk(), {"--at", "30 deg"}).out, "Drive and reactions\n"));
@@ -68,7 +68,7 @@ TEST_SUITE("cli mechanism") {
     CHECK(mechanism(Desk(), {"--at", "x deg"}).error.starts_with("--at:1:1: error: a number must come first"));
   }
 
-  TEST_CASE("the mechanism is drawn where it is asked for, for a page and for CAD, and its series written") {
+  TEST_CASE("the mechanism is drawn to the given file, for a page and for CAD, and its series are written") {
     const Desk desk;
     CHECK(mechanism(desk, {"--at", "[\"0 deg\", \"90 deg\"]", "--svg", "a.svg", "--dxf", "a.dxf", "--csv", "a.csv"})
               .code == 0);
@@ -94,7 +94,7 @@ TEST_SUITE("cli mechanism") {
     CHECK(some.size() < all.size());
   }
 
-  TEST_CASE("a choice of series that are not there, or for nothing, is refused, and nothing is written") {
+  TEST_CASE("a choice of unknown series, or without an output, is refused, and nothing is written") {
     const Desk desk;
     const Ran wrong = mechanism(desk, {"--csv", "a.csv", "--series", "drive.M,link.*.N"});
     CHECK(wrong.code == 2);
@@ -146,7 +146,7 @@ TEST_SUITE("cli mechanism") {
     CHECK(desk.files().empty());
   }
 
-  TEST_CASE("a file without such a step, or without a crank, is told") {
+  TEST_CASE("a file without such a step, or without a crank, is reported") {
     const Desk desk;
     desk.put("a.toml", "[axle]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n");
     CHECK(desk.run({"mechanism", "planar", "--file", "a.toml"}).error ==
@@ -157,7 +157,7 @@ TEST_SUITE("cli mechanism") {
           "\"60 rpm\" }'\n");
   }
 
-  TEST_CASE("any calculator takes its steps from a file, and what they refer to") {
+  TEST_CASE("any calculator takes its steps from a file, with the steps they refer to") {
     const Desk desk;
     desk.put("a.toml", slotted_lever_with_two_shafts());
     const Ran o = desk.run({"shaft", "torsion", "--file", "a.toml", "--tau_adm", "40 MPa", "--full"});

@@ -59,7 +59,7 @@ std::string drawn_at(const std::string& page, const std::string& mark) {
 }  // namespace
 
 TEST_SUITE("moving report in a browser") {
-  TEST_CASE("the mechanism moves with the slider and the numbers under it are those of --json at that angle") {
+  TEST_CASE("the mechanism moves with the slider, and the numbers below are those of --json at that angle") {
     const std::string chromium = browser_there();
     if (chromium.empty()) {
       MESSAGE("skipped: no Chromium");
@@ -116,7 +116,7 @@ TEST_SUITE("moving report in a browser") {
     CHECK(after(run, "data-axis=\"\">", '<') == "203");
   }
 
-  TEST_CASE("a point of a sweep is told in the page as the line of its table says it") {
+  TEST_CASE("a point of a sweep is described in the page as in the line of its table") {
     const std::string chromium = browser_there();
     if (chromium.empty()) {
       MESSAGE("skipped: no Chromium");

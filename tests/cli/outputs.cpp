@@ -25,13 +25,13 @@ bool can_mount() { return std::system("unshare -rm true 2>/dev/null") == 0; }
 }  // namespace
 
 TEST_SUITE("cli outputs") {
-  TEST_CASE("the program holds the schema of its own calculators") {
+  TEST_CASE("the program contains the schema of its own calculators") {
     const Desk desk;
     const bool is_same = desk.run({"schema"}).out == loadpath::exports::project_schema(loadpath::calculators());
     CHECK(is_same);  // not shown: a megabyte
   }
 
-  TEST_CASE("the project itself is no place for an output, also through a link") {
+  TEST_CASE("the project itself cannot be an output, also through a link") {
     const Desk desk;
     desk.put("a.md", axle);
     fs::create_symlink("a.md", desk.folder() / "b.md");
@@ -43,7 +43,7 @@ TEST_SUITE("cli outputs") {
     }
   }
 
-  TEST_CASE("where there is no room for it the old report stays, and nothing beside it") {
+  TEST_CASE("without space the old report stays, and no other file") {
     const Desk desk;
     desk.put("a.toml", axle);
     desk.put("a.html", old_report);
@@ -54,7 +54,7 @@ TEST_SUITE("cli outputs") {
     CHECK(desk.files().size() == 2);
   }
 
-  TEST_CASE("on a full disk the old report stays, and nothing beside it") {
+  TEST_CASE("on a full disk the old report stays, and no other file") {
     if (!can_mount()) return;
     const Desk desk;
     desk.put("a.toml", axle);
@@ -65,7 +65,7 @@ TEST_SUITE("cli outputs") {
     CHECK(ran.out == "code 2\na.html\nold\n");
   }
 
-  TEST_CASE("a device that is full is told") {
+  TEST_CASE("a device that is full is reported") {
     const Desk desk;
     desk.put("a.toml", axle);
     fs::create_symlink("/dev/full", desk.folder() / "a.md");
@@ -108,7 +108,7 @@ TEST_SUITE("cli outputs") {
     CHECK(contains(desk.get("real.md"), "# a.toml"));
   }
 
-  TEST_CASE("a loop of links is no place for an output") {
+  TEST_CASE("a loop of links cannot be an output") {
     const Desk desk;
     desk.put("a.toml", axle);
     fs::create_symlink("b.md", desk.folder() / "a.md");
@@ -132,7 +132,7 @@ TEST_SUITE("cli outputs") {
     }
   }
 
-  TEST_CASE("standard output that cannot be written is a fault") {
+  TEST_CASE("standard output that cannot be written is an error") {
     const Desk desk;
     desk.put("a.toml", axle);
     for (const std::string words : {"run a.toml", "run a.toml --json", "list", "describe gear.pair", "schema"}) {
@@ -145,7 +145,7 @@ TEST_SUITE("cli outputs") {
     }
   }
 
-  TEST_CASE("a pipe is written through, by every option that names a file") {
+  TEST_CASE("a pipe is written to, by every option that names a file") {
     const Desk desk;
     desk.put("a.toml", axle);
     desk.put("s.toml", two_axles);
@@ -179,7 +179,7 @@ TEST_SUITE("cli outputs") {
     CHECK(desk.shell("test -c null.h5 && test -c null.pdf").code == 0);
   }
 
-  TEST_CASE("a folder is no file of a sweep") {
+  TEST_CASE("a folder cannot be the file of a sweep") {
     const Desk desk;
     desk.put("s.toml", two_axles);
     fs::create_directory(desk.folder() / "d");
@@ -202,7 +202,7 @@ TEST_SUITE("cli outputs") {
     CHECK(contains(ran.error, "a control character in a text"));
   }
 
-  TEST_CASE("tables that lie too deep are refused") {
+  TEST_CASE("tables that are nested too deeply are refused") {
     std::string key = "a";
     for (int i = 0; i < 10'000; ++i) key += ".a";
     const Desk desk;

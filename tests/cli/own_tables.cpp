@@ -46,7 +46,7 @@ S = 1.5
 }  // namespace
 
 TEST_SUITE("cli own tables") {
-  TEST_CASE("the page on own tables runs, and its rows are told as the project's own") {
+  TEST_CASE("the page on own tables runs, and its rows are described as the project's own") {
     const auto blocks = blocks_of("own-tables.md");
     REQUIRE(blocks.size() == 4);
     const Desk desk;
@@ -67,7 +67,7 @@ TEST_SUITE("cli own tables") {
     CHECK_MESSAGE(contains(bearing.out, "list of the manufacturer, 2026, page 12"), bearing.error);
   }
 
-  TEST_CASE("a file of tables is found beside the project, wherever it is run from") {
+  TEST_CASE("a file of tables is found next to the project, from any working directory") {
     const Desk desk;
     std::filesystem::create_directories(desk.folder() / "work");
     desk.put("work/own.toml", steels);
@@ -77,7 +77,7 @@ TEST_SUITE("cli own tables") {
                    "M, own table of the project: certificate 4711"));
   }
 
-  TEST_CASE("a file that cannot be read is told with its place, and nothing is written") {
+  TEST_CASE("a file that cannot be read is reported with its place, and nothing is written") {
     const Desk desk;
     desk.put("big.toml", std::string((std::size_t{4} << 20U) + 1, '#'));
     for (const auto& [file, said] : {std::pair{"no.toml", "no file 'no.toml'"},
@@ -97,7 +97,7 @@ TEST_SUITE("cli own tables") {
     CHECK(contains(desk.run({"run", "a.toml"}).error, "= help: write tables = [\"own.toml\"]"));
   }
 
-  TEST_CASE("what is wrong in such a file is shown with its line") {
+  TEST_CASE("errors in such a file are shown with their line") {
     const Desk desk;
     desk.put("own.toml", steels + "sourcess = 1\n");
     desk.put("a.toml", "[project]\ntables = [\"own.toml\"]\n" + shell);
@@ -111,7 +111,7 @@ TEST_SUITE("cli own tables") {
                    "own.toml:3:11: error: the material tables have no column 'Re'\n3 | units = { Re = \"MPa\" }\n"));
   }
 
-  TEST_CASE("a table of the project is no place for a report") {
+  TEST_CASE("a table of the project cannot be overwritten by a report") {
     const Desk desk;
     desk.put("own.md", steels);
     desk.put("a.toml", "[project]\ntables = [\"own.md\"]\n" + shell);

@@ -81,7 +81,7 @@ void check_kept(const Office& office) {
 }  // namespace
 
 TEST_SUITE("cli pdf") {
-  TEST_CASE("what the browser prints takes the place of the old PDF") {
+  TEST_CASE("the output of the browser replaces the old PDF") {
     const Office office("echo 'a new PDF' > \"$out\"\n");
     CHECK(office.print().code == 0);
     CHECK(office.desk().get("a.pdf") == "a new PDF\n");
@@ -98,7 +98,7 @@ TEST_SUITE("cli pdf") {
 
   TEST_CASE("a browser that is killed leaves the old PDF") { check_kept(Office("echo half > \"$out\"\nkill -9 $$\n")); }
 
-  TEST_CASE("an interrupt ends the browser too, and its folder is removed") {
+  TEST_CASE("an interrupt ends the browser, too, and its folder is removed") {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
       const Office office(
           "echo half > \"$out\"\nmkdir \"$TMPDIR\"/loadpath-*/profile\necho $$ > \"${out%/*}\"/process\n"
@@ -111,7 +111,7 @@ TEST_SUITE("cli pdf") {
     }
   }
 
-  TEST_CASE("a project is no place for its PDF") {
+  TEST_CASE("a project cannot be overwritten by its PDF") {
     const Office office("echo 'a new PDF' > \"$out\"\n");
     office.desk().put("a.pdf", axle);
     const Ran ran = office.desk().run({"run", "a.pdf", "--report", "a.pdf"}, "",

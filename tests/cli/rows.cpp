@@ -25,7 +25,7 @@ Ran run(const Desk& desk, const std::string& rows, const std::string& table = "{
 }  // namespace
 
 TEST_SUITE("cli rows in files") {
-  TEST_CASE("cells are parted by commas, semicolons with decimal commas, tabs and blanks") {
+  TEST_CASE("cells are separated by commas, by semicolons with decimal commas, by tabs and by blanks") {
     const Desk desk;
     desk.put("inside.toml", step);
     const std::string same = desk.run({"run", "inside.toml"}).out;
@@ -39,7 +39,7 @@ TEST_SUITE("cli rows in files") {
     }
   }
 
-  TEST_CASE("columns of other names are told by name or by number, and others are left out") {
+  TEST_CASE("columns with other names are given by name or by number, and others are left out") {
     const Desk desk;
     desk.put("inside.toml", step);
     const Ran ran = run(desk, "no; across [mm]; up [mm]\n1; 0; 0\n2; 40; 0\n3; 0; 30\n",
@@ -51,7 +51,7 @@ TEST_SUITE("cli rows in files") {
     CHECK(holds(wrong.error, "'rows.csv' has 2 columns, and no column 'x'"));
   }
 
-  TEST_CASE("one error a file, at its own line, with the fix") {
+  TEST_CASE("one error per file, at its own line, with the fix") {
     const Desk desk;
     const Ran unit = run(desk, "# measured\ny, z\n0, 0\n40, 0\n0, 30\n");
     CHECK(unit.code == 2);
@@ -73,7 +73,7 @@ TEST_SUITE("cli rows in files") {
     }
   }
 
-  TEST_CASE("a series takes its unit from the heading, and a unit that contradicts it is told") {
+  TEST_CASE("a series takes its unit from the heading, and a unit that contradicts it is reported") {
     const Desk desk;
     const std::string history =
         "[h]\ncalculator = \"fatigue.history\"\nsigma_D = \"100 MPa\"\nN_D = 1e6\nk = 5\nminer = \"elementary\"\nsigma "

@@ -59,13 +59,13 @@ bool has_no_number(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("cli run") {
-  TEST_CASE("the exit code tells passed, not passed and wrong") {
+  TEST_CASE("the exit code distinguishes passed, not passed and wrong") {
     CHECK(run(passing).code == 0);
     CHECK(run(failing).code == 1);
     CHECK(run(wrong).code == 2);
   }
 
-  TEST_CASE("results are on standard output, all else on standard error") {
+  TEST_CASE("results are on standard output, everything else on standard error") {
     const Ran good = run(passing), bad = run(wrong);
     CHECK(good.out.starts_with("PASS (torsion only; "));
     CHECK(good.error.empty());
@@ -77,7 +77,7 @@ TEST_SUITE("cli run") {
 )");
   }
 
-  TEST_CASE("a file is read by its name, and errors carry it") {
+  TEST_CASE("a file is read by its name, and errors have it") {
     const Desk desk;
     desk.put("shaft.toml", wrong);
     CHECK(desk.run({"run", "shaft.toml"}).error.starts_with("shaft.toml:4:15: error: unknown unit 'mpa'\n"));
@@ -88,7 +88,7 @@ TEST_SUITE("cli run") {
     CHECK(desk.run({"run", "."}).code == 2);
   }
 
-  TEST_CASE("a file may be called like a command") {
+  TEST_CASE("a file may have the name of a command") {
     const Desk desk;
     desk.put("list", passing);
     CHECK(desk.run({"run", "list"}).code == 0);
@@ -111,7 +111,7 @@ TEST_SUITE("cli run") {
     CHECK(desk.files() == std::vector<std::string>{"a.toml"});
   }
 
-  TEST_CASE("reports are written where they are asked for, several at once") {
+  TEST_CASE("reports are written to the given files, several at once") {
     const Desk desk;
     const Ran o = desk.run({"run", "-", "--report", "out/a.html", "--report", "a.md"}, passing);
     CHECK(o.code == 0);
@@ -134,7 +134,7 @@ TEST_SUITE("cli run") {
     CHECK(desk.files() == std::vector<std::string>{"file"});
   }
 
-  TEST_CASE("--quiet leaves errors and the exit code") {
+  TEST_CASE("--quiet keeps errors and the exit code") {
     const Ran good = run(passing + "theta_adm = \"15 deg/m\"\nG = \"80 GPa\"\n", {"--quiet"});
     CHECK(good.code == 0);
     CHECK(good.out.empty());
@@ -143,7 +143,7 @@ TEST_SUITE("cli run") {
     CHECK(run(wrong, {"--quiet"}).error.starts_with("standard input:4:15: error:"));
   }
 
-  TEST_CASE("with --strict what was not considered counts as not assessed wherever a verdict stands") {
+  TEST_CASE("with --strict modes not considered count as not assessed in every verdict") {
     const Desk desk;
     desk.put("a.toml", passing);
     const std::vector<std::string> strict{"run",      "a.toml", "--strict", "--full",
@@ -166,7 +166,7 @@ TEST_SUITE("cli run") {
     CHECK(desk.run({"run", "a.toml"}).code == 0);
   }
 
-  TEST_CASE("what a search has found stands at the top, with its reason") {
+  TEST_CASE("the result of a search is at the top, with its reason") {
     const Desk desk;
     desk.put("a.toml", passing);
     const std::string reason = "smallest of R40 with which no assessed mode fails; 75 mm fails: u_tau = 1.086";
@@ -181,7 +181,7 @@ TEST_SUITE("cli run") {
     CHECK_FALSE(contains(run(failing).out, "found"));
   }
 
-  TEST_CASE("a size that the row of a table leaves out is no size of the part") {
+  TEST_CASE("a size that the row of a table leaves out is not a size of the part") {
     const Ran ran =
         run("[stay]\ncalculator = \"column.buckling\"\nP = \"60 kN\"\nl = \"2.2 m\"\nends = \"pinned_pinned\"\n"
             "section = \"SHS 60x60x3\"\nmaterial = \"S235JR\"\nmethod = \"ec3\"\ncurve_y = \"a\"\ncurve_z = \"a\"\n"
@@ -190,7 +190,7 @@ TEST_SUITE("cli run") {
     CHECK_FALSE(contains(ran.out, "not available"));
   }
 
-  TEST_CASE("expectations that miss are told in a line, and decide over nothing") {
+  TEST_CASE("expectations that are missed are reported in one line, and do not affect the verdict") {
     const std::string right = "[[expect]]\nvalue = \"axle.T\"\nis = \"2700 N*m\"\ndigits = 3\nsource = \"given\"\n";
     const std::string wrong_one =
         "[[expect]]\nvalue = \"axle.T\"\nis = \"2600 N*m\"\ndigits = 3\nsource = \"a slip\"\n";
@@ -213,7 +213,7 @@ TEST_SUITE("cli run") {
     CHECK(d == doctest::Approx(std::cbrt(16.0 * 2700.0 / (std::acos(-1.0) * 30e6))).epsilon(1e-14));
   }
 
-  TEST_CASE("--json tells what is wrong as one object too") {
+  TEST_CASE("--json gives errors as one object, too") {
     const Ran o = run(wrong, {"--json"});
     CHECK(o.code == 2);
     const json::value v = json::parse(o.out);
@@ -221,7 +221,7 @@ TEST_SUITE("cli run") {
     CHECK(contains(o.error, "unknown unit 'mpa'"));
   }
 
-  TEST_CASE("no colour where nobody looks, nor with NO_COLOR") {
+  TEST_CASE("no colour without a terminal, nor with NO_COLOR") {
     CHECK_FALSE(contains(run(failing).out, "\x1b"));
     CHECK_FALSE(contains(Desk().run({"run", "-"}, failing, {{"NO_COLOR", "1"}}).out, "\x1b"));
   }
@@ -255,7 +255,7 @@ TEST_SUITE("cli run") {
     CHECK_FALSE(contains(desk.get("a.md"), "<script"));
   }
 
-  TEST_CASE("a mechanism that does not close round the turn fails: exit 1, what depends on it is not available") {
+  TEST_CASE("a mechanism that does not close around the revolution fails: exit 1, dependent results not available") {
     const Desk desk;
     desk.put("a.toml", not_turning);
     const Ran o = desk.run({"run", "a.toml", "--json", "--report", "a.html", "--csv", "csv"});
@@ -274,7 +274,7 @@ TEST_SUITE("cli run") {
     CHECK_FALSE(contains(desk.run({"run", "a.toml"}).out, "(at not available)"));
   }
 
-  TEST_CASE("no number that is none stands in any output, whatever the input") {
+  TEST_CASE("no output contains nan or inf, for any input") {
     const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\n";
     const std::string pin = "[pin]\ncalculator = \"shaft.overhung\"\n";
     const std::string projects[] = {
@@ -308,7 +308,7 @@ TEST_SUITE("cli run") {
     }
   }
 
-  TEST_CASE("the paper of a report: A4, or letter where the project says so") {
+  TEST_CASE("the paper of a report: A4, or letter if the project states so") {
     const Desk desk;
     desk.put("a.toml", passing);
     desk.put("b.toml", "[project]\npaper = \"letter\"\n" + passing);
@@ -323,7 +323,7 @@ TEST_SUITE("cli run") {
     CHECK(!desk.has("c.html"));
   }
 
-  TEST_CASE("a project names the report that a run writes beside it; the shell takes its place") {
+  TEST_CASE("a project names the report that a run writes next to it; the flag replaces it") {
     const Desk desk;
     std::filesystem::create_directory(desk.folder() / "job");
     desk.put("job/a.toml", "[project]\nreport = \"sheet.md\"\n" + passing);
@@ -337,7 +337,7 @@ TEST_SUITE("cli run") {
     CHECK_FALSE(contains(other.error, "sheet.md"));
   }
 
-  TEST_CASE("a report that a project names is checked as one of the shell, before anything is solved") {
+  TEST_CASE("a report that a project names is checked like a flag, before anything is solved") {
     const Desk desk;
     desk.put("a.toml", "[project]\nreport = \"sheet.docx\"\n" + passing);
     const Ran unknown = desk.run({"run", "a.toml"});
@@ -351,7 +351,7 @@ TEST_SUITE("cli run") {
     CHECK(contains(in_file.error, "cannot write 'a.toml/c.html'"));
   }
 
-  TEST_CASE("how much is told: brief is the answer, full has the input, and the answer is the same") {
+  TEST_CASE("amount of output: brief is the answer, full has the input, and the answer is the same") {
     const Desk desk;
     desk.put("a.toml", "# my words\n" + passing);
     const Ran brief = desk.run({"run", "a.toml", "--detail", "brief", "--report", "b.html"});
@@ -370,7 +370,7 @@ TEST_SUITE("cli run") {
     CHECK(desk.run({"run", "a.toml", "--detail", "much"}).code == 2);
   }
 
-  TEST_CASE("a size that was given stands beside those that were found") {
+  TEST_CASE("a given size is shown next to those that were found") {
     const Desk desk;
     desk.put("a.toml",
              "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\nd = \"85 mm\"\n");
@@ -395,7 +395,7 @@ TEST_SUITE("cli run") {
     CHECK(desk.run({"run", "a.toml", "--brief", "--detail", "full", "--report", "c.html"}).code == 2);
   }
 
-  TEST_CASE("a page that is signed has the date of the run, a text that is compared does not") {
+  TEST_CASE("a page with signatures has the date of the run, a text for comparison does not") {
     const Desk desk;
     desk.put("a.toml", passing);
     CHECK(desk.run({"run", "a.toml", "--report", "a.html", "--report", "a.md"}).code == 0);

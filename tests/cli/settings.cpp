@@ -53,7 +53,7 @@ std::string without_heading(const std::string& json) { return json.substr(json.f
 }  // namespace
 
 TEST_SUITE("cli settings") {
-  TEST_CASE("a field that is set counts as if the file said it") {
+  TEST_CASE("a field that is set counts as if it were in the file") {
     std::string written = plain_shaft();
     written.replace(written.find("900 N*m"), 7, "1.2 kN*m");
     const Ran set = with(plain_shaft(), {"shaft.T=1.2 kN*m"}), asked = with(written, {});
@@ -63,7 +63,7 @@ TEST_SUITE("cli settings") {
     CHECK_FALSE(contains(asked.out, "\"set\""));
   }
 
-  TEST_CASE("fields are added, numbers are numbers, and TOML is taken as it stands") {
+  TEST_CASE("fields are added, numbers are numbers, and TOML is taken unchanged") {
     CHECK(contains(with(plain_shaft(), {"shaft.K_A=1.4", "shaft.d={ stock = \"R20\" }"}).out, "smallest of R20"));
     CHECK(contains(with(plain_shaft(), {"shaft.K_A = 1.4"}).out, "shaft.K_A = 1.4"));
     CHECK(contains(with(plain_shaft(), {"shaft.title=2024"}).out, "\"title\": \"2024\""));
@@ -79,7 +79,7 @@ TEST_SUITE("cli settings") {
     CHECK(with(press, {"press.links.slider.mass=2 kg"}).code == 0);
   }
 
-  TEST_CASE("what is wrong is told with its place among the settings, and nothing is solved") {
+  TEST_CASE("errors are reported with their place among the settings, and nothing is solved") {
     const Ran step = with(plain_shaft(), {"shaft.K_A=1.4", "shaf.T=1 N*m"}, {});
     CHECK(step.code == 2);
     CHECK(step.out.empty());
@@ -109,7 +109,7 @@ TEST_SUITE("cli settings") {
     }
   }
 
-  TEST_CASE("why and sweep take them too") {
+  TEST_CASE("why and sweep take them, too") {
     const Desk desk;
     desk.put("shaft.toml", plain_shaft());
     CHECK(contains(desk.run({"why", "shaft.toml", "shaft", "--set", "shaft.T=1.8 kN*m"}).out, "1800 N·m"));
@@ -135,7 +135,7 @@ TEST_SUITE("cli settings") {
                    "did you mean 'shaft'?"));
   }
 
-  TEST_CASE("a sweep that was stopped goes on with the same settings alone") {
+  TEST_CASE("a stopped sweep resumes only with the same settings") {
     const Desk desk;
     desk.put("shaft.toml", plain_shaft());
     const std::string range = "shaft.T={ from = \"100 N*m\", to = \"200 N*m\", count = 3 }";

@@ -36,7 +36,7 @@ void fill(const Desk& desk) {
 }  // namespace
 
 TEST_SUITE("cli several projects") {
-  TEST_CASE("a folder is every project in it, by their paths, and the worst exit code counts") {
+  TEST_CASE("a folder means every project in it, by their paths, and the worst exit code counts") {
     const Desk desk;
     fill(desk);
     const Ran ran = desk.run({"run", "all"});
@@ -53,7 +53,7 @@ TEST_SUITE("cli several projects") {
               .out.ends_with("1 projects\n  pass  all/press/project.toml\n"));
   }
 
-  TEST_CASE("what is wrong with one file does not hold the others up") {
+  TEST_CASE("an error in one file does not stop the others") {
     const Desk desk;
     fill(desk);
     desk.put("all/bad.toml", wrong);
@@ -76,7 +76,7 @@ TEST_SUITE("cli several projects") {
     CHECK(all[1].at("issues").as_array().size() == 1);
   }
 
-  TEST_CASE("outputs bear the name of each project; one for all is refused, and so are two alike") {
+  TEST_CASE("outputs have the name of each project; one for all is refused, and so are two equal ones") {
     const Desk desk;
     fill(desk);
     const Ran ran = desk.run({"run", "all", "--report", "out/*.html", "--csv", "out/*", "--quiet"});
@@ -97,7 +97,7 @@ TEST_SUITE("cli several projects") {
                    "two projects would write to 'out/weak.md'"));
   }
 
-  TEST_CASE("a folder without a project is told") {
+  TEST_CASE("a folder without a project is reported") {
     const Desk desk;
     std::filesystem::create_directory(desk.folder() / "none");
     const Ran ran = desk.run({"run", "none"});
@@ -105,7 +105,7 @@ TEST_SUITE("cli several projects") {
     CHECK(contains(ran.error, "no project file in 'none'"));
   }
 
-  TEST_CASE("a report, a table or a drawing goes to standard output alone") {
+  TEST_CASE("a report, a table or a drawing is the only thing on standard output") {
     const Desk desk;
     desk.put("press.toml", press);
     const Ran report = desk.run({"run", "press.toml", "--report", "html:-"});
@@ -123,7 +123,7 @@ TEST_SUITE("cli several projects") {
     CHECK(desk.files() == std::vector<std::string>{"a.csv", "a.html", "press.toml"});
   }
 
-  TEST_CASE("what standard output cannot hold is refused") {
+  TEST_CASE("outputs that do not fit on standard output are refused") {
     const Desk desk;
     desk.put("press.toml", press);
     const Ran kind = desk.run({"run", "press.toml", "--report", "-"});

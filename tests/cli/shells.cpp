@@ -69,7 +69,7 @@ TEST_SUITE("completion") {
     CHECK(offered(desk, {"why", "broken.toml", ""}) == "\n");
   }
 
-  TEST_CASE("words that are none offer nothing, and no words everything") {
+  TEST_CASE("unknown words offer nothing, and no words everything") {
     const Desk desk;
     CHECK(offered(desk, {"teapot", "--x", ""}).size() < 40);
     CHECK(has(offered(desk, {}), "run"));
@@ -93,7 +93,7 @@ TEST_SUITE("completion") {
 }
 
 TEST_SUITE("manual page") {
-  TEST_CASE("every command and calculator stands in it, and roff takes it") {
+  TEST_CASE("every command and calculator is in it, and roff reads it") {
     const Desk desk;
     const std::string page = desk.run({"man"}).out;
     for (const char* part : {".TH LOADPATH 1", ".SS \"loadpath run file\"", "\\fB\\-\\-report\\fR \\fIFILE\\fR",

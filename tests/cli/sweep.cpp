@@ -57,7 +57,7 @@ TEST_SUITE("sweep command" * by_case) {
 }
 
 TEST_SUITE("killed sweeps" * takes_share) {
-  TEST_CASE("what is killed or interrupted goes on, and ends with the same bytes") {
+  TEST_CASE("a killed or interrupted sweep resumes, and ends with the same bytes") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--out", "one", "--quiet", "--no-columns"}).code == 0);
@@ -93,7 +93,7 @@ TEST_SUITE("killed sweeps" * takes_share) {
 }
 
 TEST_SUITE("sweep command" * by_case) {
-  TEST_CASE("Ctrl-C keeps what has been solved, and tells how to go on") {
+  TEST_CASE("Ctrl-C keeps the solved points, and states how to resume") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     const Ran ran = desk.shell("'" LOADPATH_PROGRAM
@@ -126,7 +126,7 @@ TEST_SUITE("sweep command" * by_case) {
     }
   }
 
-  TEST_CASE("how far a folder is, is told by the folder") {
+  TEST_CASE("the folder states its progress") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     CHECK(desk.run({"sweep", "--status", "by"}).code == 2);
@@ -145,7 +145,7 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(contains(damaged.error, "'by/manifest.json' is damaged"));
   }
 
-  TEST_CASE("a column that was cut short is not filled up, and a merge that fails leaves nothing") {
+  TEST_CASE("a truncated column is not filled up, and a merge that fails leaves nothing") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--out", "s1", "--shard", "1/2", "--quiet"}).code == 0);
@@ -160,7 +160,7 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(contains(again.error, "its end is missing"));
   }
 
-  TEST_CASE("a point is solved alone with the values of its line") {
+  TEST_CASE("a point is solved by itself with the values of its line") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--csv", "a.csv", "--quiet"}).code == 0);
@@ -182,7 +182,7 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(contains(file, "'descr': '<f8', 'fortran_order': False, 'shape': (14000,), }"));
   }
 
-  TEST_CASE("a result that is an input has one column, and a name of an input is no other result's") {
+  TEST_CASE("a result that is an input has one column, and the name of an input is not used for another result") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     const std::vector<std::string> words{"sweep", "a.toml", "--results", "shaft.d", "--quiet"};
@@ -202,7 +202,7 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK_MESSAGE(contains(other.error, "'shaft.d' is an input that the sweep goes through"), other.error);
   }
 
-  TEST_CASE("a project in which nothing varies is one point, and says so") {
+  TEST_CASE("a project in which nothing varies is one point, and this is reported") {
     const Desk desk;
     desk.put("a.toml", "[a]\ncalculator = \"shaft.torsion\"\nT = \"1 N*m\"\nd = \"9 mm\"\ntau_adm = \"30 MPa\"\n");
     const Ran ran = desk.run({"sweep", "a.toml", "--results", "a.tau_max"});
@@ -242,7 +242,7 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(contains(ran(open).out, "INCOMPLETE: 0 of 2 designs pass; 1 fail; 1 not assessed"));
   }
 
-  TEST_CASE("scatter alone and a part of a sweep have no demand to fail") {
+  TEST_CASE("scatter alone and a part of a sweep have no requirement to fail") {
     const std::string head = "[a]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\n";
     const std::string scatter = "T = { mean = \"200 N*m\", sd = \"5 %\" }\n[project.sweep]\nsamples = 500\n";
     const Desk desk;
@@ -263,7 +263,7 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(desk.run({"sweep", "rare.toml", "--quiet"}).code == 0);
   }
 
-  TEST_CASE("what is wrong with the words is told, and nothing is written") {
+  TEST_CASE("errors in the arguments are reported, and nothing is written") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     const auto refused = [&](std::vector<std::string> words, const char* part) {

@@ -62,7 +62,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     CHECK(!desk.has("busy2"));
   }
 
-  TEST_CASE("the lock of a process that is dead stands in nobody's way, and is gone at the end") {
+  TEST_CASE("the lock of a dead process does not block, and is removed at the end") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     const Words many{"--samples", "60000"};  // so many blocks that no machine ends before it is killed
@@ -78,7 +78,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     CHECK(same_folders(desk, "whole", "part"));
   }
 
-  TEST_CASE("what was killed before its first state is taken by a new run and by --resume") {
+  TEST_CASE("a folder killed before its first state is used by a new run and by --resume") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     REQUIRE(sweep(desk, "whole").code == 0);
@@ -106,7 +106,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     CHECK(desk.shell("ls -A letters").out == "one\n");
   }
 
-  TEST_CASE("damage is told as damage") {
+  TEST_CASE("damaged files are reported as damaged") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     REQUIRE(sweep(desk, "s").code == 0);
@@ -132,7 +132,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     CHECK(!desk.has("m"));
   }
 
-  TEST_CASE("a column that is damaged while the sweep stands still is found before it goes on") {
+  TEST_CASE("a column that is damaged while the sweep is stopped is found before it resumes") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     const Ran ran = shell(desk, "$P sweep a.toml --samples 3000000 --quiet --out s --save-every 0.05 & at=$!; " +
@@ -143,7 +143,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     refused(sweep(desk, "s", {"--samples", "3000000", "--resume"}), "is not what was written");
   }
 
-  TEST_CASE("Ctrl-C keeps in the folder what is solved where there is a --csv too") {
+  TEST_CASE("Ctrl-C keeps the solved points in the folder also with --csv") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     REQUIRE(sweep(desk, "whole", {"--samples", "300000"}).code == 0);
@@ -159,7 +159,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     CHECK(same_folders(desk, "whole", "part"));
   }
 
-  TEST_CASE("SIGTERM, as a cluster sends it before the end, keeps what is solved; slow points do not delay it") {
+  TEST_CASE("SIGTERM, as a cluster sends it before the end, keeps the solved points; slow points do not delay it") {
     const Desk desk;
     REQUIRE(desk.shell("sed 's/speed = \"45 rad.s\"/speed = { from = \"40 rad\\/s\", to = \"50 rad\\/s\", count = "
                        "200000 }/; s/positions = 360/positions = 36/' "
@@ -174,7 +174,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     CHECK_MESSAGE(contains(ran.error, "--out part --resume goes on"), ran.error);
   }
 
-  TEST_CASE("shards of changed number: those that fit are taken, what is missing can be typed") {
+  TEST_CASE("shards of a changed number: those that fit are used, a command for the missing ones is printed") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     REQUIRE(sweep(desk, "whole").code == 0);
@@ -196,7 +196,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     CHECK(same_folders(desk, "whole", "n"));
   }
 
-  TEST_CASE("a shard that is missing, not done, or of something else") {
+  TEST_CASE("a shard that is missing, not finished, or from another sweep") {
     const Desk desk;
     // So many blocks that no machine ends before it is killed.
     const std::string many = std::string(swept_shaft).replace(swept_shaft.find("2000\n"), 4, "60000");
@@ -242,7 +242,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     CHECK(contains(desk.get("s1/manifest.json"), "\"rows\": 0"));
   }
 
-  TEST_CASE("shares that are none") {
+  TEST_CASE("invalid shards") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     for (const std::string share : {"", "0/3", "4/3", "1", "1/", "/3", "-1/3", "1/0", "1.5/3", "1/3x", "5-4", "0-14000",
@@ -254,7 +254,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     CHECK(!desk.has("x"));
   }
 
-  TEST_CASE("a disk without room, a folder that cannot be written") {
+  TEST_CASE("a full disk, a folder that cannot be written") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     desk.put("file", "");

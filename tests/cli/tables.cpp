@@ -28,7 +28,7 @@ TEST_SUITE("cli tables") {
     CHECK(o.out.ends_with(" values without a seen source\n"));
   }
 
-  TEST_CASE("what does not exist is told with the nearest one") {
+  TEST_CASE("a name that does not exist is reported with the nearest one") {
     const Ran table = loadpath_with({"tables", "matterials"}), row = loadpath_with({"tables", "materials", "C54E"});
     CHECK(table.code == 2);
     CHECK(table.error == "loadpath: unknown table 'matterials'\n  = help: did you mean 'materials'?\n");
@@ -57,7 +57,7 @@ TEST_SUITE("cli tables") {
     CHECK(contains(o.out, "9 of 18 rows"));
   }
 
-  TEST_CASE("a condition that cannot be read points at its word") {
+  TEST_CASE("a condition that cannot be read is marked at its word") {
     const Ran o = loadpath_with({"tables", "sections", "--where", "h > 100 mm and I_mni > 3 cm^4"});
     CHECK(o.code == 2);
     CHECK(contains(o.error, "--where:1:16: error: unknown column 'I_mni' in these tables"));
@@ -66,7 +66,7 @@ TEST_SUITE("cli tables") {
     CHECK(loadpath_with({"tables", "--where", "h > 1 mm"}).code == 2);
   }
 
-  TEST_CASE("a search of one row, or of what is no table, is refused") {
+  TEST_CASE("a search of one row, or of something that is not a table, is refused") {
     CHECK(loadpath_with({"tables", "sections", "hea", "--sort", "mass"}).error ==
           "loadpath: a search is over all rows, and 'hea' would be one of them\n"
           "  = help: search the part: loadpath tables sections/hea\n");

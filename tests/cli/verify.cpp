@@ -16,7 +16,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 }  // namespace
 
 TEST_SUITE("cli verify") {
-  TEST_CASE("the built-in manual holds") {
+  TEST_CASE("the built-in manual passes") {
     const Ran o = loadpath_with({"verify"});
     CHECK(o.code == 0);
     CHECK(o.error.empty());
@@ -36,7 +36,7 @@ TEST_SUITE("cli verify") {
                   "run `loadpath verify --report docs/verification.md`");
   }
 
-  TEST_CASE("a report of a file's own expectations names what misses") {
+  TEST_CASE("a report on a file's own expectations names those that are missed") {
     const Desk desk;
     desk.put("a.toml", expecting("77.20 mm"));
     const Ran ran = desk.run({"verify", "a.toml", "--report", "a.md"});
@@ -61,7 +61,7 @@ TEST_SUITE("cli verify") {
     CHECK(contains(both.out, "by hand"));
   }
 
-  TEST_CASE("where the tolerance is a quantity the deviation is one") {
+  TEST_CASE("where the tolerance is a quantity the deviation is one, too") {
     const Desk desk;
     std::string text = expecting("77.20 mm");
     text.replace(text.find("digits = 4"), 10, "within = \"0,1 mm\"");

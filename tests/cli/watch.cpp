@@ -55,7 +55,7 @@ std::string status(const std::string& text) { return text.substr(9, 3); }
 }  // namespace
 
 TEST_SUITE("watch") {
-  TEST_CASE("every save that changes the file is solved; what is wrong is told, and the page keeps the last report") {
+  TEST_CASE("every save that changes the file is solved; errors are reported, and the page keeps the last report") {
     const Desk desk;
     desk.put("a.toml", shaft);
     Watching watching(desk, "a.toml");
@@ -82,7 +82,7 @@ TEST_SUITE("watch") {
     CHECK(watching.end() == 0);
   }
 
-  TEST_CASE("a file that is saved as it was is not solved again, and one that the project reads is watched as well") {
+  TEST_CASE("a file that is saved unchanged is not solved again, and a file that the project reads is watched, too") {
     const Desk desk;
     REQUIRE(desk.shell("cp '" LOADPATH_ROOT "/examples/load-history/'* .").code == 0);
     const Watching watching(desk, "project.toml");
@@ -94,7 +94,7 @@ TEST_SUITE("watch") {
     CHECK(desk.get("said").find("\n4: ") == std::string::npos);
   }
 
-  TEST_CASE("only this machine, only its own page, only reading") {
+  TEST_CASE("only this machine, only its own page, read-only") {
     const Desk desk;
     desk.put("a.toml", shaft);
     Watching watching(desk, "a.toml");
@@ -117,7 +117,7 @@ TEST_SUITE("watch") {
     CHECK(path_of(another.address()) != page);
   }
 
-  TEST_CASE("what cannot be watched") {
+  TEST_CASE("files that cannot be watched") {
     const Desk desk;
     desk.put("a.toml", shaft);
     for (const std::string file : {"-", "no.toml"}) CHECK(desk.run({"watch", file}).code == 2);
@@ -130,7 +130,7 @@ TEST_SUITE("watch") {
 }
 
 TEST_SUITE("watch in a browser") {
-  TEST_CASE("the open page keeps up in place, errors lie over it, and it tells when the program has ended") {
+  TEST_CASE("the open page is updated in place, errors are shown over it, and it shows when the program has ended") {
     if (browser_there().empty()) {
       MESSAGE("skipped: no Chromium");
       return;
@@ -160,7 +160,7 @@ TEST_SUITE("watch in a browser") {
     CHECK(browser.becomes_true("document.querySelector('#watch').textContent.includes('has ended')"));
   }
 
-  TEST_CASE("a mechanism stays where it was moved to, and moves on") {
+  TEST_CASE("a mechanism stays at its position, and keeps moving") {
     if (browser_there().empty()) {
       MESSAGE("skipped: no Chromium");
       return;

@@ -39,7 +39,7 @@ bool before(const std::string& text, const std::string& first, const std::string
 }  // namespace
 
 TEST_SUITE("cli why") {
-  TEST_CASE("without a step it is the one that decides the verdict, and the exit code is that of the project") {
+  TEST_CASE("without a step it explains the one that governs the verdict, and the exit code is that of the project") {
     const Ran all = why(press_of_heavy_rod + rod);
     CHECK(all.code == 4);
     CHECK(all.out.starts_with("INCOMPLETE  "));
@@ -49,7 +49,7 @@ TEST_SUITE("cli why") {
     CHECK(why(weak).code == 1);
   }
 
-  TEST_CASE("of a step: the verdict, the size, the governing mode with its formulas and inputs, what is missing") {
+  TEST_CASE("for a step: the verdict, the size, the governing mode with its formulas and inputs, what is missing") {
     const Ran told = why(press_of_heavy_rod + rod, "rod");
     CHECK(told.code == 4);
     CHECK(before(told.out, "\n* d = ", "\nGoverning: "));
@@ -59,7 +59,7 @@ TEST_SUITE("cli why") {
     CHECK(contains(told.out, "link.member"));
   }
 
-  TEST_CASE("what fails is told with its formulas") {
+  TEST_CASE("a failure is explained with its formulas") {
     const Ran told = why(weak, "end");
     CHECK(told.code == 1);
     CHECK(before(told.out, "FAIL  ", "\n  u_v = "));
@@ -67,19 +67,19 @@ TEST_SUITE("cli why") {
     CHECK_FALSE(contains(told.out, "\n  tau_adm "));
   }
 
-  TEST_CASE("a size that was found tells why, by its step, by its name, and by the result of that name") {
+  TEST_CASE("a found size is explained, by its step, by its name, and by the result of that name") {
     const std::string reason = "smallest of R40 with which no assessed mode fails; 26.5 mm fails: u_v =";
     CHECK(contains(why(end, "end").out, "\n* d = 28 mm; 26.5 mm fails: "));
     CHECK(contains(why(end, "end.d").out, reason));
     CHECK_FALSE(contains(why(end, "end.d").out, "\n  d  28 mm  outer diameter\n"));
   }
 
-  TEST_CASE("a row that was found tells why") {
+  TEST_CASE("a found row is explained") {
     CHECK(contains(why(strut, "strut").out, "\n* IPE "));
     CHECK(contains(why(strut, "strut.section").out, " smallest of sections/ipe with which no assessed mode fails"));
   }
 
-  TEST_CASE("a mode is told with its formulas, and beside it what governs the step") {
+  TEST_CASE("a mode is explained with its formulas, together with what governs the step") {
     const Ran told = why(press_of_heavy_rod + rod, "rod.buckling");
     CHECK(told.code == 4);
     CHECK(contains(told.out, ")\n  pass  buckling "));
@@ -89,7 +89,7 @@ TEST_SUITE("cli why") {
     CHECK_FALSE(contains(why(end, "end.yield").out, "\ngoverns "));
   }
 
-  TEST_CASE("a result is told with its formulas alone, and the inputs that they start from") {
+  TEST_CASE("a result is explained with its formulas only, and the inputs that they start from") {
     const Ran told = why(end, "end.sigma_b");
     CHECK(told.code == 0);
     CHECK(contains(told.out, "= M_b / W "));
@@ -98,25 +98,25 @@ TEST_SUITE("cli why") {
     CHECK_FALSE(contains(told.out, "sigma_adm"));
   }
 
-  TEST_CASE("a series is told by its extremes and their places") {
+  TEST_CASE("a series is explained by its extremes and their places") {
     const Ran told = why(press_of_heavy_rod, "press.links.rod.N");
     CHECK(told.code == 0);
     CHECK(contains(told.out, "\n  links.rod.N  -172.718 N (at 180 deg) to 222.066 N (at "));
   }
 
-  TEST_CASE("a value that is none says so") {
+  TEST_CASE("a missing value is explained as missing") {
     const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\n" + no_torque + "tau_adm = \"30 MPa\"\n" + relay;
     CHECK(contains(why(axle, "axle.T").out, "\n  T  not available"));
     CHECK(why(axle, "axle.T").code == 4);
   }
 
-  TEST_CASE("a mode that does not concern the part is not denied") {
+  TEST_CASE("a mode that does not apply is shown as such") {
     const Ran told = why(strut, "strut.tension");
     CHECK(told.code == 0);
     CHECK(contains(told.out, "\n  does not apply here  tension  yielding in tension\n"));
   }
 
-  TEST_CASE("an unknown name is refused before anything is said") {
+  TEST_CASE("an unknown name is refused before any output") {
     const Ran step = why(end, "edn"), value = why(end, "end.sigma_c"), beyond = why(end, "end.d.x");
     for (const Ran* ran : {&step, &value, &beyond}) {
       CHECK(ran->code == 2);
@@ -129,7 +129,7 @@ TEST_SUITE("cli why") {
     CHECK(loadpath_with({"why", "nothing.toml"}).code == 2);
   }
 
-  TEST_CASE("what is wrong in a file of the project is shown with its line") {
+  TEST_CASE("errors in a file of the project are shown with their line") {
     const Desk desk;
     desk.put("own.toml", "table = \"mine\"\ngroup = \"material\"\nunits = { Re = \"MPa\" }\n");
     desk.put("a.toml", "[project]\ntables = [\"own.toml\"]\n" + end);

@@ -15,7 +15,7 @@ Ran with_key(const std::string& key) {
 }  // namespace
 
 TEST_SUITE("cli wrong words") {
-  TEST_CASE("a wrong option is told with the near ones and their meanings") {
+  TEST_CASE("a wrong option is reported with the similar ones and their meanings") {
     const Ran near = loadpath_with({"shaft", "torsion", "--T", "3 N*m", "--tauadm", "30 MPa"});
     CHECK(near.code == 2);
     CHECK(contains(near.error, "unknown option '--tauadm'"));
@@ -27,7 +27,7 @@ TEST_SUITE("cli wrong words") {
     CHECK(contains(meaning.error, "'--l' ("));
   }
 
-  TEST_CASE("the remedy of what the shell lacks is a flag") {
+  TEST_CASE("the remedy for missing input in the shell is a flag") {
     const Ran lacking = loadpath_with({"shaft", "overhung", "--F", "1 kN"});
     CHECK(lacking.code == 2);
     CHECK(contains(lacking.error, "= help: write --a \"... mm\""));
@@ -40,7 +40,7 @@ TEST_SUITE("cli wrong words") {
                    "`loadpath mechanism planar --template slider_crank`"));
   }
 
-  TEST_CASE("a wrong word of a choice is told with the near one, else with all and their short forms") {
+  TEST_CASE("a wrong word of a choice is reported with the similar one, else with all and their short forms") {
     const auto with_ends = [](const char* ends) {
       return loadpath_with({"column", "buckling", "--P", "1 kN", "--l", "1 m", "--d", "40 mm", "--ends", ends}).error;
     };
@@ -49,7 +49,7 @@ TEST_SUITE("cli wrong words") {
     CHECK(contains(with_ends("welded"), "available: pinned_pinned (or pinned), fixed_free (or cantilever), "));
   }
 
-  TEST_CASE("an empty text is no value of an option") {
+  TEST_CASE("an empty text is not a value of an option") {
     for (const char* option : {"--minimise", "--maximise", "--seek", "--pareto", "--results", "--csv", "--out"}) {
       const Ran ran = loadpath_with({"sweep", "none.toml", option, ""});
       CHECK(ran.code == 2);
@@ -58,7 +58,7 @@ TEST_SUITE("cli wrong words") {
     CHECK(contains(loadpath_with({"run", "none.toml", "--csv", ""}).error, "--csv: a value is missing"));
   }
 
-  TEST_CASE("a wrong key of a file is told with the near ones and their meanings") {
+  TEST_CASE("a wrong key of a file is reported with the similar ones and their meanings") {
     CHECK(with_key("d_bor").code == 2);
     CHECK(contains(with_key("d_bor").error, "did you mean 'd_bore' ("));
     CHECK(contains(with_key("diameter").error, "diameter"));

@@ -199,7 +199,7 @@ TEST_SUITE("contract: evaluation" * by_element) {
     }
   }
 
-  TEST_CASE("a limit that is said to hang on no size has the same bits at every size that is searched for") {
+  TEST_CASE("a limit that is declared independent of the sizes has the same bits at every size that is searched for") {
     std::size_t seen = 0;
     for (const Calculator* c : plain_calculators()) {
       SolvedExample s = solved_example(*c);

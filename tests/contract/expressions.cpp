@@ -119,5 +119,5 @@ void replace_in_all(bool waits) {
 TEST_SUITE("contract expressions" * test::by_element * test::takes_share) {
   TEST_CASE("every number of the examples and reference cases may be an expression") { replace_in_all(false); }
 
-  TEST_CASE("every number of them may be one that is known when another step is solved") { replace_in_all(true); }
+  TEST_CASE("every number of them may be one that is known only when another step is solved") { replace_in_all(true); }
 }

@@ -175,8 +175,7 @@ bool may_run(const Source& source, const std::vector<SourceFormula>& formulas) {
 }  // namespace
 
 TEST_SUITE("contract: formulas" * by_element) {
-  TEST_CASE(
-      "the text of a step, over the printed symbols, is the value of the code; every formula of the sources runs") {
+  TEST_CASE("the text of a step, with the printed symbols, has the value of the code; every source formula runs") {
     std::set<std::string> names;
     const auto check = [&](const project::Project& p) {
       for (const auto& step : p.steps) {

@@ -38,7 +38,7 @@ Keys keys_in(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("keys and members") {
-  TEST_CASE("a key is the name of its member, unless it is said to be called otherwise") {
+  TEST_CASE("a key is the name of its member, unless another name is declared") {
     std::size_t count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(LOADPATH_ROOT) / "calculators")) {
       if (!entry.is_regular_file()) continue;

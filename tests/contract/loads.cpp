@@ -170,7 +170,7 @@ void check_listed(const List& list, const std::vector<std::string>& found) {
 }  // namespace
 
 TEST_SUITE("contract" * test::by_element) {
-  TEST_CASE("what acts beside a load, and the factors that it holds, are fields of its calculator") {
+  TEST_CASE("load components next to a load, and the factors that it includes, are fields of its calculator") {
     for (const Calculator* c : test::plain_calculators()) {
       for_each_field(c->result->fields, "", [&](auto beside, const FieldInfo& f, const std::string& path) {
         for (const std::string& key : companions(f)) {
@@ -186,7 +186,7 @@ TEST_SUITE("contract" * test::by_element) {
     }
   }
 
-  TEST_CASE("a load that a calculator finds names what acts beside it, or stands in a list with the reason") {
+  TEST_CASE("a load that a calculator finds names the components next to it, or is in a list with the reason") {
     std::vector<std::string> unnamed;
     for (const Calculator* c : test::plain_calculators()) {
       for_each_field(c->result->fields, "", [&](auto, const FieldInfo& f, const std::string& path) {
@@ -197,7 +197,7 @@ TEST_SUITE("contract" * test::by_element) {
     check_listed(alone, unnamed);
   }
 
-  TEST_CASE("a calculator that is loaded minds what comes along with its loads, or stands in a list with the reason") {
+  TEST_CASE("a calculator under load takes account of the other load components, or is in a list with the reason") {
     std::vector<std::string> unminding;
     for (const Calculator* c : test::calculators_taken()) {
       if (takes_loads(*c) && !minds_the_rest(*c)) unminding.emplace_back(c->id);

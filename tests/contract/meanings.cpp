@@ -52,7 +52,7 @@ bool is_of_one(const std::string& what) {
 }  // namespace
 
 TEST_SUITE("contract" * test::by_element) {
-  TEST_CASE("bounds and notches are of fields that are there") {
+  TEST_CASE("bounds and notches refer to fields that exist") {
     for (const Calculator* c : test::calculators_taken()) {
       for (std::size_t i = 0; i < c->bounds.size(); ++i) {
         INFO(std::string(c->id), " ", std::string(c->bounds[i].field));
@@ -67,7 +67,7 @@ TEST_SUITE("contract" * test::by_element) {
     }
   }
 
-  TEST_CASE("a meaning is of fields and words that are there, and each is given or taken by two") {
+  TEST_CASE("a meaning refers to fields and words that exist, and each is given or taken by two") {
     for (const Calculator* c : test::calculators_taken()) {
       for (const Meaning& meaning : c->meanings) {
         INFO(std::string(c->id), " ", std::string(meaning.fields), ": ", std::string(meaning.what));

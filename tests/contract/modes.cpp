@@ -64,7 +64,7 @@ void check_left(const Calculator& calculator, const ModeInfo& mode) {
 }  // namespace
 
 TEST_SUITE("contract" * test::by_element) {
-  TEST_CASE("a mode of failure has an id of its own, words, and judges that exist") {
+  TEST_CASE("a failure mode has a unique id, a title, and checks that exist") {
     for (const Calculator* c : test::calculators_taken()) {
       const auto judges = judges_of(*c);
       std::set<std::string> ids;
@@ -88,7 +88,7 @@ TEST_SUITE("contract" * test::by_element) {
     }
   }
 
-  TEST_CASE("every check and limit judges a mode of failure, or is said to stand beside") {
+  TEST_CASE("every check and limit assesses a failure mode, or is declared not to") {
     for (const Calculator* c : test::calculators_taken()) {
       for (const auto& judge : judges_of(*c)) {
         INFO(std::string(c->id), " ", judge.first);
@@ -99,7 +99,7 @@ TEST_SUITE("contract" * test::by_element) {
   }
 
   // The aspects of a mechanism make its rows when it is solved, so that only projects show them.
-  TEST_CASE("every row that judges a mechanism is named by a mode") {
+  TEST_CASE("every row that assesses a mechanism is named by a mode") {
     if (!test::takes("mechanism")) return;
     for_each_step([](const project::Step& step, const std::string& where) {
       const Calculator& calculator = *step.input().calculator;
@@ -115,7 +115,7 @@ TEST_SUITE("contract" * test::by_element) {
     });
   }
 
-  TEST_CASE("a calculator without modes judges nothing") {
+  TEST_CASE("a calculator without modes assesses nothing") {
     for (const Calculator* c : test::calculators_taken()) {
       INFO(std::string(c->id));
       if (c->modes.empty()) CHECK(judges_of(*c).empty());

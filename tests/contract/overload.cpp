@@ -159,14 +159,14 @@ bool can_be_held(const project::Step& step) {
 }  // namespace
 
 TEST_SUITE("contract: overload" * test::by_element) {
-  TEST_CASE("a calculator of what no load breaks stands in a list with the reason") {
+  TEST_CASE("a calculator of something that no load can break is in a list with the reason") {
     for (const Calculator* c : test::calculators_taken()) {
       INFO(std::string(c->id));
       CHECK(lists(unbroken, c->id) != has_strength(*c));
     }
   }
 
-  TEST_CASE("under a thousand times its load nothing passes that can break") {
+  TEST_CASE("under a thousand times its load nothing that can break passes") {
     int steps = 0;
     std::set<std::string> passing;
     test::for_each_step([&](const project::Step& step, const std::string& where) {

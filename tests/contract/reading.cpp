@@ -75,7 +75,7 @@ TEST_SUITE("contract" * by_element) {
     }
   }
 
-  TEST_CASE("a value outside of its bounds is refused with the bound, the value and the unit") {
+  TEST_CASE("a value outside its bounds is refused with the bound, the value and the unit") {
     for (const Calculator* c : calculators_taken()) {
       for (const FieldInfo& f : c->input->fields) {
         if (f.type != Type::quantity || std::isinf(f.bounds.low)) continue;

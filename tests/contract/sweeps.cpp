@@ -218,7 +218,7 @@ void compare_examples(Points points, std::uint64_t seed, const Taken& taken) {
 }  // namespace
 
 TEST_SUITE("sweeps and machines of their own" * test::by_element) {
-  TEST_CASE("every calculator at its example, some numbers varied") {
+  TEST_CASE("every calculator with its example, some numbers varied") {
     for (const Calculator* calculator : test::calculators_taken()) {
       for (int seed = 1; seed <= (test::sanitized ? 1 : 2); ++seed)
         compare(calculator->example, calculator->id, {5}, static_cast<std::uint64_t>(seed));
@@ -240,7 +240,7 @@ constexpr bool is_fast = false;
 #endif
 
 TEST_SUITE("two hundred points of every example" * test::by_example * test::takes_share) {
-  TEST_CASE("a sweep is what a machine of its own says" * doctest::skip(!is_fast)) {
+  TEST_CASE("a point of a sweep equals its machine solved alone" * doctest::skip(!is_fast)) {
     const auto points = static_cast<std::size_t>(test::tries(200, 5));
     compare_examples({points, 3}, 4, [](const std::string& name, const std::string&) { return test::takes(name); });
   }

@@ -45,7 +45,7 @@ std::set<std::string> right_for(const test::Known& known) {
 }  // namespace
 
 TEST_SUITE("contract" * test::by_element) {
-  TEST_CASE("examples and reference cases give nothing that has no effect, but for what is known") {
+  TEST_CASE("examples and reference cases have no input without effect, except for the known ones") {
     std::size_t seen = 0;
     for (const test::Known& known : test::known_projects()) {
       if (!test::takes(test::elements_of_project(known.text).front())) continue;

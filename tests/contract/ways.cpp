@@ -181,7 +181,7 @@ void attack_all(const test::Known& known, Attacks& attacks) {
 }  // namespace
 
 TEST_SUITE("contract ways" * test::by_element * test::takes_share) {
-  TEST_CASE("no way to give a number passes what the number itself does not") {
+  TEST_CASE("no way to give a number passes where the number itself does not") {
     Attacks attacks;
     for (const test::Known& known : test::known_projects()) {
       if (test::takes(test::elements_of_project(known.text).front())) attack_all(known, attacks);

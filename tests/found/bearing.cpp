@@ -14,7 +14,7 @@ const std::string tapered = "f_0 = \nkind = \"tapered_roller\"\ne = 0.37\nY = 1.
 }  // namespace
 
 TEST_SUITE("found bearing") {
-  TEST_CASE("a bearing without ribs takes no axial load, in running or at rest, and none the wrong way") {
+  TEST_CASE("a bearing without ribs takes no axial load, in operation or at rest, and none in the wrong direction") {
     CHECK(mode_with(id, rollers, "axial") == "pass");
     CHECK(mode_with(id, rollers + "F_a = \"10 N\"", "axial") == "fail");
     CHECK(mode_with(id, rollers + "F_a = \"-10 N\"", "axial") == "fail");
@@ -25,7 +25,7 @@ TEST_SUITE("found bearing") {
     CHECK(mode_with(id, "F_a = \"-1 kN\"", "axial") == "pass");  // a deep groove takes it in both directions
   }
 
-  TEST_CASE("ribs take half of the radial load, and what the maker allows") {
+  TEST_CASE("ribs take half of the radial load, and what the manufacturer allows") {
     const std::string ribs = "f_0 = \nkind = \"cylindrical_roller_NJ\"\ne = 0.2\nY = 0.6\n";
     CHECK(mode_with(id, ribs + "F_a = \"1 kN\"", "ribs") == "not-judged");
     CHECK(mode_with(id, ribs + "F_a = \"1 kN\"\nF_a_adm = \"1.1 kN\"", "ribs") == "pass");
@@ -42,13 +42,13 @@ TEST_SUITE("found bearing") {
     CHECK(mode_with(id, thrust + "F_r = \"0 N\"\nF_a = \"-2 kN\"", "axial") == "fail");
   }
 
-  TEST_CASE("a tapered bearing that is said to bear less than its radial load makes is not covered") {
+  TEST_CASE("a tapered bearing with less axial load than its radial load induces is not covered") {
     CHECK(mode_with(id, tapered + "F_a = \"0 kN\"", "mate") == "not-covered");
     CHECK(mode_with(id, tapered + "F_a = \"0.7 kN\"", "mate") == "not-covered");
     CHECK(mode_with(id, tapered + "F_a = \"0.8 kN\"", "mate") == "pass");
   }
 
-  TEST_CASE("an overload at standstill dents a bearing whose running load is small") {
+  TEST_CASE("an overload at standstill dents a bearing whose load in operation is small") {
     CHECK(mode_with(id, "F_r0 = \"8 kN\"", "static") == "pass");
     CHECK(mode_with(id, "F_r0 = \"9.1 kN\"", "static") == "fail");
     CHECK(mode_with(id, "F_r0 = \"2 kN\"\nF_a0 = \"-16 kN\"", "static") == "fail");
@@ -57,14 +57,14 @@ TEST_SUITE("found bearing") {
     CHECK(mode_with(id, "blocks = [{ q = 0.999 }, { q = 0.001, k = 4, n = \"0 rpm\" }]", "static") == "fail");
   }
 
-  TEST_CASE("what is not given is not judged") {
+  TEST_CASE("missing input is not assessed") {
     CHECK(mode_with(id, "L_h = ", "fatigue") == "not-judged");
     CHECK(mode_with(id, "s_0 = ", "static") == "not-judged");
     CHECK(mode_with(id, "n_max = ", "speed") == "not-judged");
     CHECK(mode_with(id, "n = \"0 rpm\"\nL_h = \nn_max = ", "fatigue") == "none");
   }
 
-  TEST_CASE("a rule of thumb of the minimum load does not decide, the manufacturer's value does") {
+  TEST_CASE("a rule of thumb for the minimum load does not decide, the manufacturer's value does") {
     const std::string low = bare + "F_r = \"200 N\"\n";  // 0.01 C is 291 N
     CHECK(mode_with(id, low, "skidding") == "not-judged");
     CHECK(mode_with(id, low + "accept = { skidding = \"preloaded by a spring washer\" }", "skidding") == "accepted");
@@ -85,7 +85,7 @@ TEST_SUITE("found bearing") {
     CHECK(mode_with(id, bare + "C_0 = \"10 kN\"\nF_r = \"11 kN\"\nL_h = \"1 h\"", "fatigue") == "not-covered");
   }
 
-  TEST_CASE("99 % of the bearings ask for more than 90 %") {
+  TEST_CASE("99 % reliability needs more than 90 %") {
     CHECK(mode_with(id, "", "fatigue") == "pass");
     CHECK(mode_with(id, "a_1 = 0.25", "fatigue") == "fail");
     CHECK(mode_with(id, "K_A = 1.3", "fatigue") == "fail");
@@ -93,7 +93,7 @@ TEST_SUITE("found bearing") {
 }
 
 TEST_SUITE("found bearing ratings") {
-  TEST_CASE("factors that go together want a reason where they do not") {
+  TEST_CASE("factors that belong together need a reason where they do not agree") {
     const std::string loads = "F_r = \"2 kN\"\nF_a = \"8 kN\"\nC = \"90 kN\"\nC_0 = \"90 kN\"\ns_0 = 3\n";
     const auto state = [&](const std::string& factors, const char* mode) {
       return mode_with(id, "f_0 = \nkind = \"tapered_roller\"\n" + loads + factors, mode);
@@ -118,7 +118,7 @@ TEST_SUITE("found bearing ratings") {
     CHECK(fault(bare + "kind = \"cylindrical_roller_NU\"\nC_0 = \"30 kN\"").empty());
   }
 
-  TEST_CASE("without a speed the life is one of revolutions, and is judged in them") {
+  TEST_CASE("without a speed the life is in revolutions, and is assessed in them") {
     const std::string turns = "n = \nL_h = \nn_max = \nL_m = ";
     const ExampleStep bearing("bearing.rolling", turns + "1");
     CHECK(std::abs(bearing("L_10") / ExampleStep("bearing.rolling", "")("L_10") - 1.0) < 1e-12);

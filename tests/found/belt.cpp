@@ -41,7 +41,7 @@ Groove groove_of(belt::SectionWord section) {
 }  // namespace
 
 TEST_SUITE("found belt") {
-  TEST_CASE("A20: rims of 94 and 184 mm need 139 mm, and clearance for belt installation beside") {
+  TEST_CASE("A20: rims of 94 and 184 mm need 139 mm, and clearance for belt installation in addition") {
     CHECK(mode_with("belt.v", narrow + "a = \"136 mm\"", "room") == "fail");
     CHECK(mode_with("belt.v", narrow + "a = \"138.9 mm\"", "room") == "fail");
     CHECK(mode_with("belt.v", narrow + "a = \"139.1 mm\"", "room") == "pass");
@@ -49,7 +49,7 @@ TEST_SUITE("found belt") {
     CHECK(mode_with("belt.v", narrow + "a = \"400 mm\"", "fitting") == "pass");
   }
 
-  TEST_CASE("A20: the winner of a search keeps its rims apart, and can be fitted") {
+  TEST_CASE("A20: the best drive of a search keeps its rims apart, and can be fitted") {
     NoTrace trace;
     int found = 0;
     for (const double P : {1.0, 5.0, 20.0}) {
@@ -70,7 +70,7 @@ TEST_SUITE("found belt") {
     CHECK(found > 5);
   }
 
-  TEST_CASE("A21: pulleys and lengths that no list has are not covered, nor 58 belts side by side") {
+  TEST_CASE("A21: pulleys and lengths that are in no list are not covered, nor 58 belts side by side") {
     const std::string odd = "d_1 = \"283 mm\"\nd_2 = \"507 mm\"\nL = \na = \"1400 mm\"";
     CHECK(ExampleStep("belt.v", odd)("L") == doctest::Approx(4.0499).epsilon(1e-4));
     CHECK(mode_with("belt.v", odd, "sold_pulleys") == "not-covered");
@@ -82,7 +82,7 @@ TEST_SUITE("found belt") {
     CHECK(mode_with("belt.v", "", "sharing") == "pass");
   }
 
-  TEST_CASE("A22: a tension without friction judges no grip, and strength wants the belt's own") {
+  TEST_CASE("A22: initial tension without friction does not assess slip, and strength needs the allowable tension") {
     CHECK(mode_with("belt.course", course("S_0 = \"1 N\""), "grip") == "not-judged");
     CHECK(mode_with("belt.course", course("S_0 = \"1 N\"\nmu = 0.5"), "grip") == "fail");
     CHECK(mode_with("belt.course", course("mu = 0.5"), "grip") == "pass");
@@ -90,14 +90,14 @@ TEST_SUITE("found belt") {
     CHECK(mode_with("belt.course", course("mu = 0.5\nS_adm = \"5 kN\""), "strength") == "pass");
   }
 
-  TEST_CASE("A22: a thick belt on a small pulley is judged by its bending, and never without it") {
+  TEST_CASE("A22: a thick belt on a small pulley is assessed by its bending, and never without it") {
     const std::string thick = "delta = \"19 mm\"\nkind = \"conventional\"\nsigma_adm = \"3 MPa\"\n";
     CHECK(mode_with("belt.flat", thick + "E_b = ", "bending") == "not-judged");
     CHECK(mode_with("belt.flat", thick + "E_b = \"50 MPa\"", "bending") == "fail");  // 50 * 19/200 = 4.75 MPa
     CHECK(mode_with("belt.flat", "", "bending") == "pass");
   }
 
-  TEST_CASE("A22: two spans do not go through 1 mm") {
+  TEST_CASE("A22: two spans cannot pass through 1 mm") {
     const std::string crossed = "arrangement = \"crossed\"\nE_b = \nb = \"60 mm\"\n";
     CHECK(mode_with("belt.flat", crossed + "a = \"351 mm\"", "room") == "fail");
     CHECK(mode_with("belt.flat", crossed + "a = \"1200 mm\"", "room") == "pass");
@@ -126,7 +126,7 @@ TEST_SUITE("found belt") {
           "pass");
   }
 
-  TEST_CASE("a curvilinear pitch, a pull of no belt and a wide or short drive of synchronous belts need a reason") {
+  TEST_CASE("a curvilinear pitch, a pull beyond any belt and a wide or short synchronous belt drive need a reason") {
     const std::string own = "synchronous_belt = \nb_0 = \"76.2 mm\"\nm_0 = \"0.447 kg/m\"\n";
     CHECK(mode_with("belt.synchronous", own + "F_a = \"2091 N\"\np_b = \"12.7 mm\"", "power") == "pass");
     CHECK(mode_with("belt.synchronous", own + "F_a = \"2091 N\"\np_b = \"14 mm\"", "power") == "not-judged");
@@ -134,7 +134,7 @@ TEST_SUITE("found belt") {
     CHECK(mode_with("belt.synchronous", "z_1 = 20\nz_2 = 160\na = \"1 m\"", "room") == "not-judged");
   }
 
-  TEST_CASE("a rating above what a rib or round belt can pull needs a reason") {
+  TEST_CASE("a rating above what a rib or round belt can carry needs a reason") {
     const std::string ribs = "d_b = \nrho = \nsigma_adm = \nE_b = \nphi = \nd_min = \nribbed_belt = \"PK\"\n";
     CHECK(mode_with("belt.grooved", ribs + "P_R = \"4 kW\"", "rating") == "not-judged");
     CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"", "rating") == "pass");
@@ -142,7 +142,7 @@ TEST_SUITE("found belt") {
     CHECK(mode_with("belt.grooved", ribs + "P_R = \"0.5 kW\"\nphi = \"40 deg\"", "grip") == "pass");
   }
 
-  TEST_CASE("a round belt with an allowable tension bends too") {
+  TEST_CASE("a round belt with an allowable tension is bent, too") {
     CHECK(mode_with("belt.grooved", "sigma_adm = \nE_b = \nS_adm = \"100 N\"", "bending") == "not-judged");
     CHECK(mode_with("belt.grooved", "sigma_adm = \nS_adm = \"100 N\"", "bending") == "pass");
     CHECK(mode_with("belt.grooved", "d_min = \"20 mm\"", "pulley") == "not-judged");
@@ -158,7 +158,7 @@ TEST_SUITE("found belt") {
     CHECK(mode_with("belt.flat", "", "fatigue") == "open");
   }
 
-  TEST_CASE("a pulley below the least diameter of its section fails, one above the rated ones is not covered") {
+  TEST_CASE("a pulley below the minimum diameter of its section fails, one above the rated ones is not covered") {
     CHECK(mode_with("belt.v", "d_1 = \"139 mm\"", "pulley") == "fail");
     CHECK(mode_with("belt.v", "d_1 = \"140 mm\"", "pulley") == "pass");
     CHECK(mode_with("belt.v", "d_1 = \"401 mm\"\nL = \"4000 mm\"\nd_2 = \"800 mm\"", "pulley") == "not-covered");

@@ -64,7 +64,7 @@ std::string own_chain(const std::string& values) {
 }  // namespace
 
 TEST_SUITE("found beside") {
-  TEST_CASE("V1, V3, V5: sizes and kinds are those of the row, as far as the digits typed tell") {
+  TEST_CASE("V1, V3, V5: sizes and kinds are those of the row, to the digits typed") {
     CHECK(says(post("section = \"UPN 200\"\nkind = \"rolled_I\""), "the section 'UPN 200', which has channel"));
     CHECK(says(post("section = \"HEA 100\"\nA = \"100 cm^2\""), "the section 'HEA 100', which has 2124 mm²"));
     CHECK(says(post("section = \"HEA 100\"\nA = \"=100 cm^2\""), "the section 'HEA 100', which has 2124 mm²"));
@@ -87,7 +87,7 @@ TEST_SUITE("found beside") {
                "has channel"));
   }
 
-  TEST_CASE("M3: a strength above that of the material wants a reason, and one below does not") {
+  TEST_CASE("M3: a strength above that of the material needs a reason, and one below does not") {
     for (const char* id : {"net", "shear_out"}) {
       CHECK(state_in(lug("R_e = \"960 MPa\""), "eye", id) == "not-judged");
       CHECK(state_in(lug("R_e = \"=960 MPa\""), "eye", id) == "not-judged");
@@ -99,7 +99,7 @@ TEST_SUITE("found beside") {
     CHECK(state_in(in_place(lug("R_e = \"960 MPa\""), "F", "\"5 MN\""), "eye", "net") == "fail");
   }
 
-  TEST_CASE("a reason that nothing needs, and one of nothing, are errors") {
+  TEST_CASE("an unneeded reason, and a reason for no input, are errors") {
     CHECK(says(lug("R_e = \"220 MPa\"\nbecause.R_e = \"certificate\""), "because.R_e is not needed"));
     CHECK(says(lug("because.R_e = \"certificate\""), "because.R_e is not needed"));
     CHECK(says(lug("because.R_f = \"certificate\""), "has no input 'R_f' | did you mean"));
@@ -107,7 +107,7 @@ TEST_SUITE("found beside") {
     CHECK(says(lug("R_e = \"960 MPa\"\nbecause = \"R_e\""), "is a table of reasons"));
   }
 
-  TEST_CASE("a reason does not change a failure, and stands with the value") {
+  TEST_CASE("a reason does not change a failure, and is shown with the value") {
     const auto project = solved_as_found(lug("R_e = \"300 MPa\"\nbecause.R_e = \"certificate 4711\""));
     const auto& inputs = project.steps[0]->account().inputs;
     const auto R_e = std::find_if(inputs.begin(), inputs.end(), [](const auto& e) { return e.path == "R_e"; });
@@ -157,7 +157,7 @@ TEST_SUITE("found beside") {
     CHECK(state_in(shaft + "sigma_W = \"350 MPa\"\n", "shaft", "fatigue") == "pass");
   }
 
-  TEST_CASE("M5: a fatigue limit that only other steps are held against") {
+  TEST_CASE("M5: a fatigue limit that only other steps compare with stresses") {
     const std::string e =
         "[e]\ncalculator = \"fatigue.endurance\"\nloading = \"bending\"\nmaterial = \"C45E\"\nd = \"20 mm\"\nd_h = "
         "\"20 mm\"\nsigma_W = ";
@@ -166,7 +166,7 @@ TEST_SUITE("found beside") {
     CHECK(state_in(e + "\"600 MPa\"\nbecause.sigma_W = \"tests\"\n", "e", "typed_values") == "none");
   }
 
-  TEST_CASE("V7: a length that buckles is not shorter than the link, and may be longer") {
+  TEST_CASE("V7: a buckling length is not shorter than the link, and may be longer") {
     CHECK(state_in(rod("l = \"30 mm\""), "rod", "buckling") == "not-judged");
     CHECK(state_in(rod("l = \"=30 mm\""), "rod", "buckling") == "not-judged");
     CHECK(state_in(rod("l = \"30 mm\"\nbecause.l = \"guided all along\""), "rod", "buckling") == "pass");
@@ -174,7 +174,7 @@ TEST_SUITE("found beside") {
     CHECK(state_in(rod("l = \"1250 mm\""), "rod", "slenderness") != "not-judged");
   }
 
-  TEST_CASE("a load that is typed beside a record is not below its peak") {
+  TEST_CASE("a load that is typed next to a record is not below its peak") {
     CHECK(state_in(rod("N = \"1 N\"\nV = \"0 N\"\nM_b = \"0 N*m\""), "rod", "yield") == "not-judged");
     CHECK(state_in(rod("N = \"-50 kN\""), "rod", "yield") != "not-judged");
   }
@@ -186,7 +186,7 @@ TEST_SUITE("found beside") {
                "'s.cycle.stress' is \"shear\""));
   }
 
-  TEST_CASE("O1, O3: own rows are of one part, and near their group") {
+  TEST_CASE("O1, O3: own rows are consistent in themselves, and near their group") {
     const std::string head = "[tables.materials.X]\nE = \"210 GPa\"\nsource = \"certificate\"\n";
     const std::string eye = in_place(lug(""), "material", "\"X\"");
     CHECK(says(head + "R_e = \"3550 MPa\"\nR_m = \"400 MPa\"\n" + eye, "is above its R_m = 400 MPa"));
@@ -210,7 +210,7 @@ TEST_SUITE("found beside") {
     CHECK(first_error_of(head + "by_size = [{ size_max = \"40 mm\", R_e = \"200 MPa\" }]\n" + lug("")).empty());
   }
 
-  TEST_CASE("G8, O: sizes, area and second moments are of one section") {
+  TEST_CASE("G8, O: dimensions, area and second moments are of one section") {
     const std::string I = "I_y = \"1673 cm^4\"\nI_z = \"615.6 cm^4\"\n";
     CHECK(first_error_of(own_section("A = \"38.77 cm^2\"\n" + I)).empty());
     CHECK(says(own_section("A = \"388 cm^2\"\n" + I), "the area of h times b"));
@@ -223,7 +223,7 @@ TEST_SUITE("found beside") {
     CHECK(says(post("section = \"CHS 60.3x4\"\nkind = \"solid\""), "it is hollow"));
   }
 
-  TEST_CASE("S1, S3: what A and I do not tell is not judged, and the user may answer for it") {
+  TEST_CASE("S1, S3: what A and I do not determine is not assessed, and the user may accept it") {
     const std::string tube =
         "curve_y = \"a\"\ncurve_z = \"a\"\nA = \"1567.65 mm^2\"\nI_y = \"4879.3 cm^4\"\nI_z = \"4879.3 cm^4\"";
     CHECK(state_in(post(tube), "c", "local") == "not-judged");
@@ -239,7 +239,7 @@ TEST_SUITE("found beside") {
     CHECK(state_in(in_place(post(bar), "P", "\"1 kN\""), "c", "local") == "none");
   }
 
-  TEST_CASE("Z1: a tie has no limit of slenderness, nor walls that buckle") {
+  TEST_CASE("Z1: a tie has no slenderness limit, nor walls that buckle") {
     const std::string tie =
         "[c]\ncalculator = \"column.buckling\"\nN = \"30 kN\"\nl = \"3 m\"\nends = \"pinned_pinned\"\nmaterial = "
         "\"S235JR\"\nmethod = \"johnson\"\nn_st = 2\nn_t = 1.5\n";
@@ -248,7 +248,7 @@ TEST_SUITE("found beside") {
     CHECK(state_in(in_place(tie, "N", "\"-3 kN\"") + "h = \"8 mm\"\nb = \"40 mm\"\n", "c", "slenderness") == "fail");
   }
 
-  TEST_CASE("Z3: torsional buckling is asked of the section found") {
+  TEST_CASE("Z3: torsional buckling applies to the section found") {
     const std::string head =
         "[p]\ncalculator = \"column.lightest\"\nl = \"4 m\"\nP = \"300 kN\"\nmaterial = \"S235JR\"\nends = "
         "\"pinned_pinned\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1.4\nfamilies = ";
@@ -256,7 +256,7 @@ TEST_SUITE("found beside") {
     CHECK(state_in(head + "[\"UPN\"]\n", "p", "torsional_flexural") == "pass");
   }
 
-  TEST_CASE("F6: by AISC the walls are held against E7: 48.1 of 60.0 of a W16X36") {
+  TEST_CASE("F6: by AISC the walls are compared with E7: 48.1 of 60.0 of a W16X36") {
     const ExampleStep step(
         "column.buckling",
         "d = \nsigma_P = \nn_st = \nends = \nsection = \"W16X36\"\nl = \"15 ft\"\nbeta_y = "
@@ -268,7 +268,7 @@ TEST_SUITE("found beside") {
     CHECK(step("r_class") == doctest::Approx(web / 60.0).epsilon(0.005));
   }
 
-  TEST_CASE("F14: warping and torsion constants of an HEA 160 are those of the maker") {
+  TEST_CASE("F14: warping and torsion constants of an HEA 160 are those of the manufacturer") {
     const auto row = table::find_row("section", "HEA 160");
     REQUIRE(row);
     CHECK(table::property(*row, "I_w")->si == doctest::Approx(31410e-12).epsilon(1e-3));

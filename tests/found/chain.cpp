@@ -11,7 +11,7 @@ const std::string pull_alone = "p_adm = \nS_min = \nP_R = \n";
 }  // namespace
 
 TEST_SUITE("found chain") {
-  TEST_CASE("A6: a pull below the breaking load passes nothing by itself") {
+  TEST_CASE("A6: a pull below the breaking load alone is not a pass") {
     const std::string row =
         pull_alone + "chain = \"08B\"\nz_1 = 19\nn_1 = \"100 rpm\"\nP = \"5.5 kW\"\na = \"500 mm\"\nK_A = 1";
     CHECK(ExampleStep("chain.roller", row)("p_r") == doctest::Approx(274e6).epsilon(0.005));
@@ -20,7 +20,7 @@ TEST_SUITE("found chain") {
     CHECK(mode_with("chain.roller", pull_alone + "P = \"50 kW\"\nK_A = 1", "breaking") != "pass");
   }
 
-  TEST_CASE("each of the three is asked for what it needs, and judged by it alone") {
+  TEST_CASE("each of the three modes needs its own input, and is assessed by it alone") {
     CHECK(mode_with("chain.roller", pull_alone + "p_adm = \"35 MPa\"", "joints") == "pass");
     CHECK(mode_with("chain.roller", pull_alone + "p_adm = \"35 MPa\"", "plates") == "not-judged");
     CHECK(mode_with("chain.roller", pull_alone + "S_min = 7.6", "breaking") == "pass");
@@ -47,7 +47,7 @@ TEST_SUITE("found chain") {
     CHECK(mode_with("chain.roller", "a = \"3 m\"", "breaking") == "not-judged");
   }
 
-  TEST_CASE("a chain that stands still does not tire, as far as it is known") {
+  TEST_CASE("a chain at standstill has no fatigue, as far as its speed is known") {
     const std::string still = pull_alone + "P = \nn_1 = \nT_1 = \"200 N*m\"";
     CHECK(mode_with("chain.roller", still, "plates") == "open");
     CHECK(mode_with("chain.roller", still, "joints") == "not-judged");

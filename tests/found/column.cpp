@@ -36,7 +36,7 @@ std::string rolled(const std::string& section, const std::string& P, const std::
 }  // namespace
 
 TEST_SUITE("found column") {
-  TEST_CASE("A1: 300 kN at 300 mm from the axis of an HEA 160, which the secant formula gives 135.6 kN") {
+  TEST_CASE("A1: 300 kN at 300 mm from the axis of an HEA 160, for which the secant formula gives 135.6 kN") {
     const std::string far = "e_y = \"300 mm\"\n", compared = "because.n_st = \"compared with the formula\"";
     CHECK(of(hea + ec3, "buckling") == "pass");
     CHECK(of(hea + ec3, "eccentric") == "none");
@@ -47,13 +47,13 @@ TEST_SUITE("found column") {
     CHECK(of(hea + secant + far + "P = \"136 kN\"", "eccentric") == "fail");
   }
 
-  TEST_CASE("A1: the lightest section for a load that is not central") {
+  TEST_CASE("A1: the lightest section for an eccentric load") {
     CHECK(mode_with("column.lightest", "", "buckling") == "pass");
     CHECK(mode_with("column.lightest", "", "eccentric") == "none");
     CHECK(mode_with("column.lightest", "e_y = \"300 mm\"", "eccentric") == "not-judged");
   }
 
-  TEST_CASE("A3: the force of a link that moves does not come alone: its inertia bends it, and both vary") {
+  TEST_CASE("A3: the force of a moving link does not act alone: its inertia bends the link, and both vary") {
     const auto project = solved_as_found(R"([project]
 title = "A rod"
 
@@ -81,7 +81,7 @@ n_t = 2
     for (const char* id : {"lateral", "fatigue"}) CHECK(mode_of(project, "rod", id) == "not-judged");
   }
 
-  TEST_CASE("A5: tension wants its own safety, and gamma_F of ec3 counts") {
+  TEST_CASE("A5: tension needs its own safety factor, and gamma_F of ec3 counts") {
     const std::string bar =
         "N = \"107 kN\"\nl = \"160 mm\"\nd = \"25 mm\"\nends = \"pinned_pinned\"\nE = \"210 GPa\"\nR_e = \"225 MPa\"\n"
         "kind = \"solid\"\n";
@@ -129,13 +129,13 @@ n_t = 2
     CHECK(of(square("8 mm", "100 GPa"), "local") == "not-covered");  // of another metal
   }
 
-  TEST_CASE("A18: the classes of steel say nothing of aluminium, nor do its buckling curves") {
+  TEST_CASE("A18: the section classes of steel do not apply to aluminium, nor do its buckling curves") {
     CHECK(of(box(10.0, "70 GPa"), "local") == "not-covered");
     CHECK(of(box(10.0, "210 GPa") + "material_class = \"other\"", "local") == "not-judged");
     CHECK_FALSE(ExampleStep("column.buckling", "d = \nsigma_P = \n" + hea + ec3 + "E = \"70 GPa\"").fault().empty());
   }
 
-  TEST_CASE("A19: channels and angles twist when they buckle; what is typed without an outline may") {
+  TEST_CASE("A19: channels and angles twist when they buckle; typed values without an outline may") {
     const std::string held = "supports_z = [[\"1.5 m\"], [\"3 m\"], [\"4.5 m\"]]";
     CHECK(of(rolled("UPN 200", "340 kN", "6 m") + held, "torsional_flexural") == "fail");
     CHECK(of(rolled("UPN 200", "340 kN", "6 m") + held, "buckling") == "pass");
@@ -160,7 +160,7 @@ n_t = 2
     CHECK(of(bar, "buckling") == "pass");
   }
 
-  TEST_CASE("no verdict is better than its checks: a pulled bar for which no section is found has not passed") {
+  TEST_CASE("no verdict is better than its checks: a bar in tension for which no section is found has not passed") {
     const auto tie = [](const char* N) {
       return solved_as_found("[bar]\ncalculator = \"column.lightest\"\nfamilies = [\"CHS\"]\nl = \"4 m\"\nN = \"" +
                              std::string(N) +
@@ -179,7 +179,7 @@ n_t = 2
           account::rank(account::worst(project::verdicts(project))));
   }
 
-  TEST_CASE("a slenderness above the one that is allowed fails") {
+  TEST_CASE("a slenderness above the allowable one fails") {
     // l = 0.9 m, fixed and free, d = 45 mm: 2 * 900 / (45/4) = 160
     CHECK(mode_with("column.buckling", "lambda_max = 159", "slenderness") == "fail");
     CHECK(mode_with("column.buckling", "lambda_max = 161", "slenderness") == "pass");

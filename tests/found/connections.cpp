@@ -67,7 +67,7 @@ std::vector<std::pair<std::string, std::string>> hubs_of_40() {
 }  // namespace
 
 TEST_SUITE("found connections") {
-  TEST_CASE("what transmits torque is fastened, or one piece with the shaft") {
+  TEST_CASE("a part that transmits torque is fastened, or one piece with the shaft") {
     const auto bare = solved_as_found(shaft_of("", ""));
     CHECK(mode_of(bare, "shaft", "hub") == "not-judged");
     CHECK(mode_of(solved_as_found(shaft_of(whole, "")), "shaft", "hub") == "not-judged");
@@ -89,7 +89,7 @@ TEST_SUITE("found connections") {
     CHECK(mode_of(of_both, "shaft", "connection") == "pass");
   }
 
-  TEST_CASE("a rating of the maker is a connection, too") {
+  TEST_CASE("a manufacturer's rating is a connection, too") {
     const auto clamped = [](const char* T, const char* reason) {
       const std::string text = shaft_of(std::string(", T_c = \"") + T + "\"", whole) + reason;
       return mode_of(solved_as_found(text), "shaft", "connection");
@@ -101,7 +101,7 @@ TEST_SUITE("found connections") {
     CHECK(clamped("9999 N*m", "") == "not-judged");
   }
 
-  TEST_CASE("a connection for another diameter is refused where the seat says so") {
+  TEST_CASE("a connection for another diameter is refused if the seat states it") {
     const std::string error = first_error_of(shaft_of(keyed, whole) + key_for("100 N*m", "42 mm"));
     CHECK_MESSAGE(error.find("made for a shaft of 42 mm, and the shaft has 40 mm") != std::string::npos, error);
   }
@@ -142,7 +142,7 @@ TEST_SUITE("found connections") {
     CHECK(mode_of(solved_as_found(thick), "shaft", "rim") == "not-covered");
   }
 
-  TEST_CASE("a pulley or a wheel is larger than the shaft that it sits on") {
+  TEST_CASE("a pulley or a wheel is larger than the shaft on which it sits") {
     const auto seat = [](const char* d_w) {
       return first_error_of(shaft_of(std::string(", d_w = \"") + d_w + "\"", whole));
     };
@@ -150,7 +150,7 @@ TEST_SUITE("found connections") {
     CHECK(seat("80 mm") == "");
   }
 
-  TEST_CASE("a connection is assessed for the start of the shaft, its sense, its bore") {
+  TEST_CASE("a connection is assessed for the start of the shaft, its torque direction, its bore") {
     const auto with = [](const std::string& lines, const std::string& key) {
       return shaft_of(keyed, whole) + lines + key_for("100 N*m", "40 mm", key);
     };
@@ -164,7 +164,7 @@ TEST_SUITE("found connections") {
     CHECK_MESSAGE(bored.find("the shaft has one of 15 mm there") != std::string::npos, bored);
   }
 
-  TEST_CASE("a connection has room on the shaft") {
+  TEST_CASE("a connection has space on the shaft") {
     const std::string text = shaft_of(keyed, whole) + key_for("100 N*m", "40 mm");
     const auto error = [&](const std::string& word, const std::string& by) {
       return first_error_of(replaced_in(text, word, by));
@@ -176,7 +176,7 @@ TEST_SUITE("found connections") {
           std::string::npos);
   }
 
-  TEST_CASE("a hub that is pushed along the shaft is held by more than a key") {
+  TEST_CASE("a hub that is pushed along the shaft is located by more than a key") {
     const auto pushed = [](const std::string& more) {
       const std::string text = shaft_of(keyed + ", F_z = \"800 N\"" + more, whole) + key_for("100 N*m", "40 mm");
       return mode_of(solved_as_found(text), "shaft", "pushed");
@@ -185,7 +185,7 @@ TEST_SUITE("found connections") {
     CHECK(mode_of(solved_as_found(shaft_of(keyed, whole) + key_for("100 N*m", "40 mm")), "shaft", "pushed") == "none");
   }
 
-  TEST_CASE("where fatigue is asked for, the end of a connection is a notch of the shaft") {
+  TEST_CASE("where fatigue is assessed, the end of a connection is a notch of the shaft") {
     const std::string fatigue = "S_D = 1.5\nr_T = 0\ngroup = \"carbon-steel\"\nR_z = \"6.3 um\"\n";
     const std::string bare = shaft_of(keyed, whole) + fatigue + key_for("100 N*m", "40 mm");
     CHECK(mode_of(solved_as_found(bare), "shaft", "seat_fatigue") == "not-judged");
@@ -194,7 +194,7 @@ TEST_SUITE("found connections") {
     CHECK(mode_of(notched, "shaft", "seat_fatigue") == "none");
   }
 
-  TEST_CASE("a shaft does not go through the root of the gear that sits on it") {
+  TEST_CASE("a shaft does not cut into the root of the gear that sits on it") {
     const std::string gears =
         "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"3 mm\"\nb = \"30 mm\"\nT_1 = \"100 N*m\"\n\n";
     // d_f = 3 (20 - 2.5) = 52.5 mm; over 50 mm with 3.8 mm of keyway it is cut through
@@ -205,7 +205,7 @@ TEST_SUITE("found connections") {
     CHECK(first_error_of(replaced_in(replaced_in(text, "50 mm\"\nkey", "40 mm\"\nkey"), "14x9", "12x8")) == "");
   }
 
-  TEST_CASE("a connection is as long as the rim that it lies under, or somebody says how long the hub is") {
+  TEST_CASE("a connection is as long as the rim under which it lies, or the length of the hub is given") {
     const auto key = [](const std::string& b, const std::string& more = "") {
       return mode_of(solved_as_found(gears_of(40, b) + keyed_gear("load = \"=gears.gear_1\"", "40 mm", more)), "key",
                      "overhang");
@@ -226,7 +226,7 @@ TEST_SUITE("found connections") {
     }
   }
 
-  TEST_CASE("another component than the gear whose torque is taken has a bore of its own, with a reason") {
+  TEST_CASE("a component other than the gear whose torque is taken has a bore of its own, with a reason") {
     for (const std::string T : {"=gears.gear_1.T", "=gears.T_1"}) {
       const auto text = gears_of(40, "60 mm", "bore_1 = \"50 mm\"") + keyed_gear("T = \"" + T + "\"", "40 mm");
       CHECK(first_error_of(text).find("for another component give its bore, with because.bore") != std::string::npos);
@@ -290,7 +290,7 @@ TEST_SUITE("found connections") {
     CHECK(hub(", b_r = \"20 mm\"") == "not-judged");
   }
 
-  TEST_CASE("what is one piece with the shaft has no bore and no connection, and is no pulley") {
+  TEST_CASE("a part that is one piece with the shaft has no bore and no connection, and is not a pulley") {
     const auto with = [](const std::string& bore, const std::string& seat) {
       std::string text = replaced_in(shaft_of(whole, seat), "T = \"100 N*m\", F_x = \"-1 kN\", F_y = \"2 kN\"",
                                      "load = \"=gears.gear_1\"");
@@ -318,7 +318,7 @@ TEST_SUITE("found connections") {
     CHECK(pulley("T = \"50 N*m\"") == "none");
   }
 
-  TEST_CASE("a torque that is taken singly brings the root circle of its gear") {
+  TEST_CASE("a torque that is taken without its record still brings the root circle of its gear") {
     const auto seat = [](const std::string& more) {
       std::string text = shaft_of(whole, ", connection = \"=key.connection\"" + more);
       text = replaced_in(text, "T = \"100 N*m\", F_x = \"-1 kN\", F_y = \"2 kN\"",
@@ -341,7 +341,7 @@ TEST_SUITE("found connections") {
     CHECK(rim(whole, "") == "not-covered");
   }
 
-  TEST_CASE("a press fit loses interference at speed, and its shaft asks for the speed") {
+  TEST_CASE("a press fit loses interference at speed, and its shaft needs the speed") {
     const auto at = [](const std::string& lines) {
       return solved_as_found(
           "[f]\ncalculator = \"shaft.press_fit\"\nT = \"20 N*m\"\nd = \"40 mm\"\nD = \"200 mm\"\n"
@@ -365,7 +365,7 @@ TEST_SUITE("found connections") {
     CHECK(shaft_at("15000 rpm", "n = \"15000 rpm\"\n") == "pass");
   }
 
-  TEST_CASE("the notch of a connection is of its kind, and no milder than that") {
+  TEST_CASE("the notch of a connection is of its kind, and not milder") {
     const auto notched = [](const std::string& kind, const std::string& key, const char* mode) {
       const std::string fatigue = "S_D = 1\nr_T = 0\ngroup = \"carbon-steel\"\nR_z = \"6.3 um\"\n";
       const std::string notch = "notches = [{ name = \"end\", x = \"55 mm\", kind = " + kind + " }]\n";

@@ -59,7 +59,7 @@ TEST_SUITE("found cycle") {
       CHECK_MESSAGE(bending(all) == "pass", all);
   }
 
-  TEST_CASE("R1, R5: and nothing that is less, whatever stands around it") {
+  TEST_CASE("R1, R5: and no lower value, however it is combined") {
     for (const char* less :
          {"mean(press.joints.B.F)", "min(press.joints.B.F)", "rms(press.joints.B.F)", "at(press.joints.B.F, 90 deg)",
           "amplitude(press.joints.B.F)", "range(press.joints.B.F)", "max(press.joints.B.y)", "2*mean(press.joints.B.F)",
@@ -89,7 +89,7 @@ TEST_SUITE("found cycle") {
     CHECK(limit("=5 m/s + min(press.points.B.v_x)") == "not-covered");
   }
 
-  TEST_CASE("R3: one extreme of a stress is no cycle; both are") {
+  TEST_CASE("R3: one extreme of a stress is not a cycle; both are") {
     const auto cycle = [](const std::string& stresses) {
       return mode_of(solved_as_found(press + "[c]\ncalculator = \"fatigue.cycle\"\n" + stresses +
                                      "\nsigma_D = \"120 MPa\"\nS_D = 1.5\nR_e = \"355 MPa\"\nS_F = 2\n"),
@@ -108,11 +108,11 @@ TEST_SUITE("found cycle") {
     CHECK(std::abs(largest(*F).value) > 45e3);
   }
 
-  TEST_CASE("T1: what would need too many positions is not judged") {
+  TEST_CASE("T1: a wave that would need too many positions is not assessed") {
     CHECK(mode_of(solved_as_found(driven("sin(40001*phi)", "36")), "press", "resolution") == "not-judged");
   }
 
-  TEST_CASE("T5: a pulse that places far from one another miss has its impulse") {
+  TEST_CASE("T5: a pulse between positions that are far apart still has its impulse") {
     const ExampleStep blow("dynamics.impulse",
                            "m = \"1 kg\"\nF_x = \"5000 N*exp(-((t-0.4321 s)/(0.00005 s))^2)\"\nt_2 = \"1 s\"");
     CHECK(std::abs(blow("I_x") - 0.443113) < 1e-5);  // F w sqrt(pi)

@@ -7,7 +7,7 @@ using namespace loadpath;
 using namespace loadpath::test;
 
 TEST_SUITE("found drive") {
-  TEST_CASE("B9: speeds of shafts are told in rad/s, in the line and where it is used") {
+  TEST_CASE("B9: speeds of shafts are shown in rad/s, in the line and where they are used") {
     const ExampleStep train("drive.train", "");
     int speeds = 0;
     for (const account::Derived& line : train.project().steps[0]->account().derivation) {
@@ -100,7 +100,7 @@ TEST_SUITE("found drive") {
     CHECK(strength("0.5") == "fail");  // 0.84 MPa
   }
 
-  TEST_CASE("A13: a shaft that takes a chain's pull with K_A takes no torque without it") {
+  TEST_CASE("A13: a shaft that takes a chain's pull with K_A takes no torque without K_A") {
     const auto faults = [](const std::string& loads) {
       const std::string text = R"([chain]
 calculator = "chain.roller"

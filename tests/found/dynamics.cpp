@@ -24,7 +24,7 @@ TEST_SUITE("found dynamics") {
     CHECK(mode_with("dynamics.lift", "", "slack") == "pass");
   }
 
-  TEST_CASE("A23: nor down a slope, where a thread from below might pull; of a level track nothing is known") {
+  TEST_CASE("A23: nor down a slope, where a thread from below might pull; on a level track this is open") {
     const std::string slope = ", alpha = \"30 deg\"", level = ", alpha = \"0 deg\"";
     CHECK(mode_with("dynamics.lift", pulled(slope, "500 N*m"), "slack_slope") == "not-covered");
     CHECK(mode_with("dynamics.lift", pulled(slope, "0.4 N*m"), "slack_slope") == "pass");
@@ -32,7 +32,7 @@ TEST_SUITE("found dynamics") {
     CHECK(mode_with("dynamics.lift", pulled("", "0 N*m"), "slack_level") == "none");
   }
 
-  TEST_CASE("what hangs from a lift that stands pulls by its weight") {
+  TEST_CASE("the load on a lift at rest pulls by its weight") {
     const ExampleStep stands(
         "dynamics.lift",
         "weights = [{ m = \"1 kg\" }]\nwheels = [{ J = \"0.01 kg*m^2\", r = \"100 mm\", M_f = \"5 N*m\" }]");
@@ -41,7 +41,7 @@ TEST_SUITE("found dynamics") {
 }
 
 TEST_SUITE("found throw") {
-  TEST_CASE("W1: a throw reaches what it reaches at its own angle") {
+  TEST_CASE("W1: a throw reaches the distance of its own angle") {
     CHECK(mode_with("dynamics.throw", "theta = \"10 deg\"\nL_req = \"30 m\"", "reach") == "fail");
     CHECK(mode_with("dynamics.throw", "theta = \"80 deg\"\nL_req = \"30 m\"", "reach") == "fail");
     CHECK(mode_with("dynamics.throw", "theta = \"45 deg\"\nL_req = \"30 m\"", "reach") == "pass");

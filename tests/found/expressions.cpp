@@ -34,7 +34,7 @@ std::string refused(const std::string& values, const std::string& step) {
 }  // namespace
 
 TEST_SUITE("found expressions") {
-  TEST_CASE("a frequency is no angular velocity, whatever is made of it") {
+  TEST_CASE("a frequency is not an angular velocity, whatever is computed from it") {
     const std::string values = "f = \"25 Hz\"\nk = \"25 1/s\"\npole_pairs = 1\nt = \"40 ms\"\n";
     for (const char* f :
          {"values.f/values.pole_pairs", "2*values.f", "values.f + 1 Hz", "-values.f", "max(values.f, 1 Hz)",
@@ -57,7 +57,7 @@ TEST_SUITE("found expressions") {
     CHECK(contains(refused(values, fan + "omega = \"=values.v/(2*pi*values.r)\"\n"), "angular velocity"));  // turns
   }
 
-  TEST_CASE("conversions that are made twice, or for a diameter in place of a radius") {
+  TEST_CASE("conversions that are applied twice, or to a diameter in place of a radius") {
     const std::string values =
         "n = \"1450 rpm\"\nf = \"24 Hz\"\nd = \"40 mm\"\nr = \"20 mm\"\nP = \"5 kW\"\nF = \"10 kN\"\n"
         "T = \"20 N*m\"\n";
@@ -127,13 +127,13 @@ TEST_SUITE("found expressions") {
     }
   }
 
-  TEST_CASE("turns are counted by rev, not by radians") {
+  TEST_CASE("revolutions are counted by rev, not by radians") {
     const std::string life = "[b]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";
     CHECK(contains(refused("", axle + "T = \"20 N*m\"\nK_A = \"=1450 rpm*1 s\"\n"), "divide by rev"));
     CHECK(refused("", axle + "T = \"20 N*m\"\nK_A = \"=1450 rpm*0.1 s/rev\"\n").empty());
   }
 
-  TEST_CASE("work is no torque, and a torque no work") {
+  TEST_CASE("work is not a torque, and a torque is not work") {
     const std::string values = "P = \"30 kW\"\nf = \"1500 Hz\"\nE = \"20 J\"\n";
     for (const char* work : {"values.P/values.f", "30 kW/(1500 Hz)", "values.E", "2*values.E", "values.E + 1 N*m"})
       CHECK_MESSAGE(contains(refused(values, axle + "T = \"=" + std::string(work) + "\"\n"), "is an energy"), work);
@@ -141,7 +141,7 @@ TEST_SUITE("found expressions") {
       CHECK_MESSAGE(refused(values, axle + "T = \"=" + std::string(torque) + "\"\n").empty(), torque);
   }
 
-  TEST_CASE("a shear stress is no normal stress; mises makes one of both") {
+  TEST_CASE("a shear stress is not a normal stress; mises makes one of both") {
     const std::string cycle = axle + "T = \"120 N*m\"\n[c]\ncalculator = \"fatigue.cycle\"\nr = -1\nsigma_max = \"=";
     for (const char* shear : {"axle.tau_max", "2*axle.tau_max", "axle.tau_max + 1 MPa", "abs(-axle.tau_max)",
                               "max(axle.tau_max, 1 MPa)", "values.k*axle.tau_max", "axle.tau_max/2"}) {
@@ -159,7 +159,7 @@ TEST_SUITE("found expressions") {
     CHECK(contains(refused("", cycle + "mises(axle.tau_max, 30 MPa)\"\n"), "a normal stress first"));
   }
 
-  TEST_CASE("a strength goes into any allowable stress, and a stress into none") {
+  TEST_CASE("a strength is accepted as any allowable stress, and a stress as none") {
     const std::string limit =
         "[limit]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\nR_e = \"355 MPa\"\nS = 2\n";
     const std::string part = "[p]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\ntau_adm = \"=";
@@ -188,7 +188,7 @@ TEST_SUITE("found expressions") {
     CHECK(solved.value("axle.M_max") == 15.0);
   }
 
-  TEST_CASE("a circle of values names its members; what nothing refers to is told, and nothing else") {
+  TEST_CASE("a circle of values names its members; an unused value is reported, and nothing else") {
     const std::string said =
         refused("a = \"=2*values.b\"\nb = \"=values.c/2\"\nc = \"=values.a + 1 N*m\"\n", axle + "T = \"=values.a\"\n");
     CHECK_MESSAGE(contains(said, "circular reference between values: values.a -> values.b -> values.c -> values.a"),
@@ -201,7 +201,7 @@ TEST_SUITE("found expressions") {
     CHECK_MESSAGE(!contains(wrong.messages(), "nothing refers"), wrong.messages());
   }
 
-  TEST_CASE("of several values an expression does not take one in silence") {
+  TEST_CASE("an expression does not silently take one of several values") {
     for (const char* T : {"=values.T", "=2*values.T", "=values.twice", "=1*values.twice"}) {
       const std::string said =
           refused("T = [\"10 N*m\", \"20 N*m\"]\ntwice = \"=2*values.T\"\n", axle + "T = \"" + T + "\"\n");
@@ -212,7 +212,7 @@ TEST_SUITE("found expressions") {
                   middle.messages());
   }
 
-  TEST_CASE("numbers that are read at once may be expressions too: ranges, distributions, histories, tables") {
+  TEST_CASE("numbers that are read at once may be expressions, too: ranges, distributions, histories, tables") {
     const std::string values = "[values]\nd = \"40 mm\"\nk = 2\nR = \"=0.5*710 MPa\"\n";
     const auto said = [&](const std::string& text) {
       std::vector<Issue> issues;
@@ -237,7 +237,7 @@ TEST_SUITE("found expressions") {
     CHECK(own.value("axle.R_e") == 355e6);
   }
 
-  TEST_CASE("dependencies go to results: an input of a step that waits can be taken") {
+  TEST_CASE("dependencies refer to results: an input of a step that is not yet solved can be taken") {
     const std::string a =
         "[a]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\nR_e = \"355 MPa\"\nS = 2\nl = "
         "\"=2*b.d_max\"\nG = \"80 GPa\"\n";
@@ -264,7 +264,7 @@ TEST_SUITE("found expressions") {
                    "circular reference between steps: axle -> axle"));
   }
 
-  TEST_CASE("an input that can wait takes what hangs on a search which needs the step") {
+  TEST_CASE("a deferred input takes a value that depends on a search which needs the step") {
     const std::string shaft =
         "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\n"
         "pieces = [{ l = \"60 mm\", d = \"?\" }, { l = \"140 mm\", d = \"?\" }]\n"
@@ -305,7 +305,7 @@ TEST_SUITE("found expressions") {
     CHECK(lug("values.d^2*values.p").empty());
   }
 
-  TEST_CASE("an expression is warned of and refused like the number that it is") {
+  TEST_CASE("an expression gets the same warnings and errors as its number") {
     for (const char* G : {"\"900 GPa\"", "\"=900 GPa\"", "\"=3*values.G\""}) {
       const Solved solved("[values]\nG = \"300 GPa\"\n" + axle + "T = \"20 N*m\"\nl = \"1 m\"\nG = " + G + "\n");
       CHECK_MESSAGE(contains(solved.messages(), "G = 900 GPa is unusual"), G, solved.messages());

@@ -30,7 +30,7 @@ TEST_SUITE("found fatigue") {
     CHECK_FALSE(ExampleStep("fatigue.cycle", symmetric("125 MPa", "sigma_D = \"186 MPa\"")).fault().empty());
   }
 
-  TEST_CASE("a tensile mean stress lowers the limit of symmetric cycles: not covered; compression does not") {
+  TEST_CASE("a tensile mean stress lowers the fully reversed fatigue limit: not covered; compression does not") {
     const std::string limit = "\nsigma_D = \"186 MPa\"\nS_D = 1.5";
     CHECK(mode_with("fatigue.cycle", "sigma_max = \"120 MPa\"\nsigma_min = \"0 MPa\"" + limit, "fatigue") ==
           "not-covered");
@@ -39,7 +39,7 @@ TEST_SUITE("found fatigue") {
                     "fatigue") == "not-covered");
   }
 
-  TEST_CASE("A2: 900 MPa without a yield strength are not judged, nor with one that has no safety") {
+  TEST_CASE("A2: 900 MPa without a yield strength are not assessed, nor with one that has no safety factor") {
     CHECK(mode_with("fatigue.cycle", symmetric("900 MPa"), "yield") == "not-judged");
     CHECK(mode_with("fatigue.cycle", symmetric("200 MPa", "R_e = \"355 MPa\""), "yield") == "not-judged");
     CHECK(mode_with("fatigue.cycle", symmetric("900 MPa", "R_e = \"355 MPa\""), "yield") == "fail");
@@ -55,7 +55,7 @@ TEST_SUITE("found fatigue") {
     CHECK_FALSE(ExampleStep("fatigue.wohler", "P_s = 0.01").fault().empty());
   }
 
-  TEST_CASE("a cycle with a mean stress: what breaks or yields does not pass, what no rule covers is said") {
+  TEST_CASE("a cycle with a mean stress: a part that breaks or yields does not pass, uncovered cases are reported") {
     const auto state = [](const std::string& lines, const std::string& mode) {
       return mode_with("fatigue.life", lines, mode);
     };
@@ -83,7 +83,7 @@ TEST_SUITE("found fatigue") {
                     .empty());
   }
 
-  TEST_CASE("what breaks at once has not lasted, whatever its curve or its rule says, yield judged or not") {
+  TEST_CASE("a part that breaks at once has not lasted, whatever its curve or its rule, yield assessed or not") {
     const std::string unknown = "R_e = \nS_F = \n";
     const auto history = [&](const std::string& peak) {
       return mode_with(
@@ -109,7 +109,7 @@ TEST_SUITE("found fatigue") {
     CHECK(mode_with("fatigue.combined", heavy + "\"625 MPa\"", "fatigue") == "fail");
   }
 
-  TEST_CASE("the fatigue limit of one loading is none of another") {
+  TEST_CASE("the fatigue limit of one loading does not apply to another") {
     const auto limit = [](const std::string& loading) {
       return "[limit]\ncalculator = \"fatigue.endurance\"\nR_m = \"690 MPa\"\ngroup = \"carbon-steel\"\nrule = "
              "\"din743\"\nschool = \"serensen\"\nd = \"32 mm\"\nR_z = \"6.3 um\"\nloading = \"" +
@@ -158,7 +158,7 @@ TEST_SUITE("found fatigue") {
          "'K_tau' takes a factor");
   }
 
-  TEST_CASE("a limit that is told no size or no surface is not judged as that of a part") {
+  TEST_CASE("a fatigue limit without a size or a surface is not assessed as that of a part") {
     const auto state = [](const std::string& lines, const std::string& mode) {
       return mode_with("fatigue.endurance", lines, mode);
     };
@@ -175,7 +175,7 @@ TEST_SUITE("found fatigue") {
     CHECK(state("school = \"marin\"\nR_z = \nfinish = \"machined\"", "surface") == "none");
   }
 
-  TEST_CASE("formulas of steels are none of irons, aluminium and bronze, which their modulus tells") {
+  TEST_CASE("formulas for steels do not apply to irons, aluminium and bronze, which their modulus shows") {
     const std::string din =
         "group = \nsigma_B = \nsigma_S = \nd_h = \"50 mm\"\nM_ba = \"10 N*m\"\nM_tm = \"0 N*m\"\nM_ta = \"5 N*m\"\n";
     const std::string fkm =
@@ -219,7 +219,7 @@ TEST_SUITE("found fatigue") {
     CHECK_FALSE(ExampleStep("fatigue.history", detail + "stress = \"shear\"\nsigma_C = \"125 MPa\"").fault().empty());
   }
 
-  TEST_CASE("a turn at a few positions hides its peak") {
+  TEST_CASE("positions that are too few over a revolution hide its peak") {
     const auto errors = [](const std::string& positions) {
       return Solved(
                  "[m]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"90 mm\"\n"
@@ -238,7 +238,7 @@ TEST_SUITE("found fatigue") {
     CHECK_MESSAGE(few.find("36 positions of a turn at least") != std::string::npos, few);
   }
 
-  TEST_CASE("without a yield strength no rule passes the first cycle, and no line goes above the tensile strength") {
+  TEST_CASE("without a yield strength no rule passes the first cycle, and no line exceeds the tensile strength") {
     const auto state = [](const std::string& lines, const std::string& mode) {
       return mode_with("fatigue.life", lines, mode);
     };
@@ -252,7 +252,7 @@ TEST_SUITE("found fatigue") {
     CHECK(std::isnan(ExampleStep("fatigue.life", slope + "sigma_max = \"700 MPa\"\nsigma_min = \"-700 MPa\"")("N_f")));
   }
 
-  TEST_CASE("the life that a cycle leaves is settled where fatigue.life takes the cycle whole") {
+  TEST_CASE("the life under a cycle is assessed where fatigue.life takes the full cycle") {
     const std::string rod =
         "[rod]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"180 MPa\"\nsigma_min = \"-20 MPa\"\n"
         "[lasts]\ncalculator = \"fatigue.life\"\nsigma_D = \"190 MPa\"\ngroup = \"carbon-steel\"\nR_m = \"690 MPa\"\n"
@@ -276,7 +276,7 @@ TEST_SUITE("found fatigue") {
     CHECK(mode_of(solved_as_found(limited + "S_D = 1.5\n"), "rod", "fatigue") == "pass");
   }
 
-  TEST_CASE("normal and shear stresses together: what breaks does not pass") {
+  TEST_CASE("normal and shear stresses together: a part that breaks does not pass") {
     const auto state = [](const std::string& lines, const std::string& mode) {
       return mode_with("fatigue.combined", lines, mode);
     };
@@ -309,7 +309,7 @@ TEST_SUITE("found fatigue") {
     CHECK(state("F_zdm = \"-1300 kN\"\nF_zda = \"0 N\"", "yield") == "fail");
   }
 
-  TEST_CASE("DIN 743: what is not told is not judged, what it does not know is not covered, what stands still lasts") {
+  TEST_CASE("DIN 743: missing input is not assessed, unknown cases are not covered, static loads last") {
     const auto state = [](const std::string& lines, const std::string& mode) {
       return mode_with("fatigue.din743", lines, mode);
     };
@@ -328,7 +328,7 @@ TEST_SUITE("found fatigue") {
       CHECK_FALSE(ExampleStep("fatigue.din743", refused).fault().empty());
   }
 
-  TEST_CASE("FKM: what breaks does not pass, what is not told is not judged, what it does not know is not covered") {
+  TEST_CASE("FKM: a part that breaks does not pass, missing input is not assessed, unknown cases are not covered") {
     const auto state = [](const std::string& lines, const std::string& mode) {
       return mode_with("fatigue.fkm", lines, mode);
     };
@@ -354,7 +354,7 @@ TEST_SUITE("found fatigue") {
       CHECK_FALSE(ExampleStep("fatigue.fkm", refused).fault().empty());
   }
 
-  TEST_CASE("a history that ends: no pipe with a name, no device, no single value") {
+  TEST_CASE("a history is finite: no named pipe, no device, no single value") {
     const test::Desk desk;
     const auto& folder = desk.folder();
     const std::string pipe = (folder / "pipe.csv").string(), one = (folder / "one.csv").string();

@@ -20,7 +20,7 @@ void refuses_limit(std::string_view calculator, const std::string& lines, const 
 }  // namespace
 
 TEST_SUITE("found fatigue limits") {
-  TEST_CASE("L: metals without a fatigue limit are judged at a number of cycles, or not at all") {
+  TEST_CASE("L: metals without a fatigue limit are assessed at a number of cycles, or not at all") {
     for (const char* const id : {"fatigue.cycle", "fatigue.combined", "fatigue.multiaxial"}) {
       INFO(id);
       const auto state = [&](const std::string& lines) {
@@ -41,7 +41,7 @@ TEST_SUITE("found fatigue limits") {
     }
   }
 
-  TEST_CASE("L: a group of irons is none of aluminium, and a fatigue strength is no limit") {
+  TEST_CASE("L: a group of irons is not one of aluminium, and a fatigue strength is not a limit") {
     const std::string aluminium = "R_m = \nmaterial = \"EN AW-6082-T6\"\nd_h = \"20 mm\"\n";
     for (const char* const group : {"grey-iron", "ductile-iron", "malleable-iron"}) {
       const std::string of = aluminium + "group = \"" + std::string(group) + "\"\nrule = ";
@@ -67,7 +67,7 @@ TEST_SUITE("found fatigue limits") {
                    "takes the same in shear"));
   }
 
-  TEST_CASE("L: a history of aluminium by steel details, or by rules with a limit; a shaft of it without end") {
+  TEST_CASE("L: a history of aluminium by steel details, or by rules with a limit; a shaft of it for infinite life") {
     const std::string aluminium = "R_m = \nR_e = \nmaterial = \"EN AW-6061-T6\"\nd_h = \"20 mm\"\n";
     const auto state = [&](const std::string& lines) {
       return mode_with("fatigue.history", aluminium + lines, "metal");
@@ -87,7 +87,7 @@ TEST_SUITE("found fatigue limits") {
     CHECK(mode_with("shaft.design", "", "cycles") == "none");
   }
 
-  TEST_CASE("F1: Miner's original rule holds while no cycle is above the limit") {
+  TEST_CASE("F1: Miner's original rule applies while no cycle is above the limit") {
     const auto state = [](const std::string& blocks) {
       return mode_with("fatigue.history", "miner = \"original\"\nmean = \"none\"\nblocks = [" + blocks + "]",
                        "fatigue");
@@ -145,7 +145,7 @@ TEST_SUITE("found fatigue limits") {
     CHECK(std::abs(S_eq(80.0, "shear") - 36.5844) < 1e-4);  // as computed by hand
   }
 
-  TEST_CASE("Marin's method without a reliability counts half of the parts: it is asked for") {
+  TEST_CASE("Marin's method without a reliability counts half of the parts: it is required") {
     const std::string marin = "school = \"marin\"\nR_z = \nfinish = \"machined\"\n";
     CHECK(mode_with("fatigue.endurance", "", "reliability") == "none");
     CHECK(mode_with("fatigue.endurance", marin, "reliability") == "not-judged");
@@ -156,7 +156,7 @@ TEST_SUITE("found fatigue limits") {
                     "typed_values") == "none");
   }
 
-  TEST_CASE("a fatigue limit in shear as high as in normal stresses wants a reason, not one that is derived") {
+  TEST_CASE("a fatigue limit in shear as high as in normal stresses needs a reason, a derived one does not") {
     CHECK(mode_with("fatigue.combined", "tau_D = \"125 MPa\"\n", "fatigue") == "pass");
     CHECK(mode_with("fatigue.combined", "tau_D = \"180 MPa\"\n", "fatigue") == "not-judged");
     CHECK(mode_with("fatigue.combined", "tau_D = \"=180 MPa\"\n", "fatigue") == "not-judged");

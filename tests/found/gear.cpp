@@ -33,7 +33,7 @@ double crowding(int z_s, int z_p, int N_p) {
 }  // namespace
 
 TEST_SUITE("found gear") {
-  TEST_CASE("A7: a load without a strength is not judged, and one wheel does not hide the other") {
+  TEST_CASE("A7: a load without a strength is not assessed, and one gear does not hide the other") {
     CHECK(mode_with("gear.pair", bare, "root_1") == "not-judged");
     CHECK(mode_with("gear.pair", bare + "T_1 = \"6000 N*m\"", "root_2") == "not-judged");
     CHECK(mode_with("gear.pair", "sigma_adm_2 = ", "root_1") == "pass");
@@ -42,7 +42,7 @@ TEST_SUITE("found gear") {
     CHECK(mode_with("gear.pair", bare + "T_1 = ", "root_1") == "none");  // only geometry
   }
 
-  TEST_CASE("A7: a face 50 times as wide as the pinion is not judged") {
+  TEST_CASE("A7: a face 50 times as wide as the pinion is not assessed") {
     CHECK(mode_with("gear.pair", "b = \"2500 mm\"", "width") == "not-judged");
     CHECK(mode_with("gear.pair", "", "width") == "open");
   }
@@ -55,7 +55,7 @@ TEST_SUITE("found gear") {
     CHECK(mode_with("gear.pair", "K_f = 1.7", "fillet") == "none");
   }
 
-  TEST_CASE("A9: planets that stand unevenly overlap where their gap is the smaller one") {
+  TEST_CASE("A9: planets at unequal spacing overlap where their gap is the smaller one") {
     CHECK(mode_with("gear.planetary", set_of(14, 13, 40, 5), "room") == "fail");
     CHECK(std::abs(ExampleStep("gear.planetary", set_of(14, 13, 40, 5))("u_N") - 1.011) < 5e-4);
     CHECK(mode_with("gear.planetary", set_of(24, 30, 84, 3), "room") == "pass");
@@ -75,7 +75,7 @@ TEST_SUITE("found gear") {
     CHECK(overlooked == 56);
   }
 
-  TEST_CASE("A10: planet and ring interfere as gear.pair finds it, until the ring is cut back") {
+  TEST_CASE("A10: planet and ring gear interfere as in gear.pair, until the ring gear is cut back") {
     CHECK(mode_with("gear.planetary", set_of(20, 20, 60, 4) + "\nh_ar = ", "mesh_ring") == "fail");
     CHECK(mode_with("gear.planetary", set_of(20, 20, 60, 4) + "\nh_ar = 0.86", "mesh_ring") == "pass");
     const ExampleStep set("gear.planetary", set_of(20, 20, 60, 4) + "\nh_ar = ");
@@ -83,7 +83,7 @@ TEST_SUITE("found gear") {
     CHECK(set("h_clear") == doctest::Approx(0.8703).epsilon(1e-3));  // base circle 56.38, flank radii 6.840 and 0.496
   }
 
-  TEST_CASE("A10: a ring with a tip diameter of its own is no longer refused") {
+  TEST_CASE("A10: a ring gear with a given tip diameter is not refused") {
     CHECK(mode_with("gear.pair", plain_ring, "interference") == "fail");
     CHECK(mode_with("gear.pair", plain_ring + "\nd_a2 = \"116.6 mm\"", "interference") == "pass");
     CHECK(mode_with("gear.pair", plain_ring, "root_mate") == "not-judged");
@@ -91,7 +91,7 @@ TEST_SUITE("found gear") {
     CHECK(mode_with("gear.pair", "", "trimming") == "none");
   }
 
-  TEST_CASE("A11: tips that dig into the roots fail") {
+  TEST_CASE("A11: tips that cut into the roots fail") {
     const std::string tips =
         "z_1 = 30\nz_2 = 60\nm_n = \"3 mm\"\nbeta = \"0 deg\"\na_w = \nx_1 = 0\nh_aP = 1.05\nh_fP = 1\nrho_fP = 0";
     CHECK(std::abs(ExampleStep("gear.pair", tips)("c_1") + 0.15e-3) < 1e-12);
@@ -100,7 +100,7 @@ TEST_SUITE("found gear") {
     CHECK(mode_with("gear.pair", tips + "\nh_fP = 1.25", "clearance_1") == "pass");
   }
 
-  TEST_CASE("B11: a base tangent is told where the face is wide enough to measure it") {
+  TEST_CASE("B11: a base-tangent length is given where the face is wide enough to measure it") {
     const auto length = [](const std::string& lines) { return ExampleStep("gear.pair", lines)("W_2"); };
     CHECK(length("") > 0.05);
     CHECK(std::isnan(length("b = \"11 mm\"")));  // W_2 sin(beta_b): 57.82 mm times sin 11.27 deg
@@ -108,7 +108,7 @@ TEST_SUITE("found gear") {
     CHECK(length("b = \"1 mm\"\nbeta = \"0 deg\"\na_w = ") > 0.04);
   }
 
-  TEST_CASE("A29: a train in which the wheel drives the worm is not judged") {
+  TEST_CASE("A29: a train in which the worm gear drives the worm is not assessed") {
     const auto worm = [](const std::string& teeth) {
       return mode_with("drive.train", "stages = [{ kind = \"worm\", eta = 0.7, " + teeth + " }]", "self_locking");
     };

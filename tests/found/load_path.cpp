@@ -41,7 +41,7 @@ State worst(const Solved& solved) { return account::worst(solved.all); }
 }  // namespace
 
 TEST_SUITE("found load path") {
-  TEST_CASE("the push of a cylinder is no tension of its rod") {
+  TEST_CASE("the push of a cylinder is not a tension of its rod") {
     const std::string rod =
         "[rod]\ncalculator = \"column.buckling\"\nd = \"20 mm\"\nl = \"1.2 m\"\nends = \"pinned_pinned\"\nE = \"210 "
         "GPa\"\n"
@@ -62,7 +62,7 @@ TEST_SUITE("found load path") {
     CHECK(std::abs(F.back()) > 5.0 * std::abs(F.front()));  // e^2.5 = 12 times the load
   }
 
-  TEST_CASE("a course without a value, or with one beyond all measure, is not covered") {
+  TEST_CASE("a load curve without a value, or with an extreme one, is not covered") {
     for (const char* pole :
          {"share_of_phi = \"1/phi\"", "share_of_phi = \"1/sin(phi)\"", "share_of_t = \"(0.1 s)/t\""}) {
       const Solved solved(crank(pole));
@@ -74,7 +74,7 @@ TEST_SUITE("found load path") {
     CHECK(account::rank(worst(wave)) <= account::rank(State::open));
   }
 
-  TEST_CASE("one torque has one verdict, typed or calculated of a power and a speed") {
+  TEST_CASE("one torque has one verdict, typed or calculated from a power and a speed") {
     const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"40 mm\"\nT = \"";
     const std::string values = "[values]\nP = \"15 kW\"\nn = \"1450 rpm\"\nT = \"=values.P/values.n\"\n";
     for (const std::string& torque : {axle + "98.786 N*m\"\n", axle + "=98.786 N*m\"\n", axle + "=15 kW/(1450 rpm)\"\n",
@@ -86,7 +86,7 @@ TEST_SUITE("found load path") {
     }
   }
 
-  TEST_CASE("what the crank's joint carries comes with the moment of the drive") {
+  TEST_CASE("the force of the crank joint comes with the moment of the drive") {
     const Solved end(crank("share_of_phi = \"1 + 0.5*sin(phi)\"") +
                      "[end]\ncalculator = \"shaft.overhung\"\na = \"60 mm\"\nsigma_adm = \"60 MPa\"\nd = \"60 mm\"\n"
                      "T = \"0 N*m\"\nF = \"=m.joints.O.F\"\n");

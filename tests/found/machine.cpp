@@ -38,13 +38,13 @@ TEST_SUITE("found machine") {
     CHECK(relative(wheel("M_peak"), 29e3) < 1e-6);
   }
 
-  TEST_CASE("A28: a leap of the formula at the end of its period is no slope") {
+  TEST_CASE("A28: a step of the formula at the end of its period is not a slope") {
     const double pi = std::numbers::pi;  // (phi - pi)^2/2 from pi to 2 pi, on either side of the mean
     const ExampleStep wheel("machine.flywheel", "M_of_phi = \"20 kN*m + 9 kN*m*phi/(180 deg)\"\ndelta = 0.01");
     CHECK(relative(wheel("Delta_E"), 9000.0 / pi * pi * pi / 2.0) < 1e-9);
   }
 
-  TEST_CASE("A28: a formula that does not repeat in its period is warned of") {
+  TEST_CASE("A28: a formula that does not repeat in its period gives a warning") {
     const auto warned = [](const std::string& formula) {
       const ExampleStep wheel("machine.flywheel", "M_of_phi = \"" + formula + "\"\ndelta = 0.01");
       const auto& warnings = wheel.project().steps[0]->account().warnings;
@@ -67,12 +67,12 @@ TEST_SUITE("found machine") {
     CHECK_FALSE(warned("20 kN*m + 9 kN*m*cos(2*phi)"));
   }
 
-  TEST_CASE("A28: an unevenness of 2 and more would turn the wheel back") {
+  TEST_CASE("A28: an unevenness of 2 or more would reverse the wheel") {
     CHECK_FALSE(ExampleStep("machine.flywheel", "delta = 2").fault().empty());
     CHECK(ExampleStep("machine.flywheel", "delta = 0.1").fault().empty());
   }
 
-  TEST_CASE("A28: what the load takes while the run all but stalls") {
+  TEST_CASE("A28: the energy that the load takes while the run almost stalls") {
     // k omega^2/(M - k omega) over omega from 0 to 100 rad/s, k = 0.0999
     const ExampleStep fan("machine.run_up",
                           "parts = [{ J = \"1 kg*m^2\" }]\nmotor = [[\"0 rad/s\", \"10 N*m\"]]\n"
@@ -81,7 +81,7 @@ TEST_SUITE("found machine") {
     CHECK(relative(fan("A_L"), -5000.0 - 100.0 * a - a * a * std::log1p(-100.0 / a)) < 1e-9);
   }
 
-  TEST_CASE("flywheels and runs pass with what they judge") {
+  TEST_CASE("flywheels and runs pass with their assessed modes") {
     CHECK(mode_with("machine.flywheel", "", "unevenness") == "pass");
     CHECK(mode_with("machine.flywheel", "", "bursting") == "open");
     CHECK(mode_with("machine.flywheel", "D = \"2 m\"", "bursting") == "not-judged");
@@ -92,7 +92,7 @@ TEST_SUITE("found machine") {
     CHECK(mode_with("machine.run_up", "", "time") == "open");
   }
 
-  TEST_CASE("A14: a flywheel on a shaft 8.05 times as fast as the crank stores the same work") {
+  TEST_CASE("A14: a flywheel on a shaft 8.05 times as fast as the crank stores the same energy") {
     const std::string press =
         "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"50 mm\"\nl = "
         "\"200 mm\"\ncrank = { speed = \"60 rpm\", positions = 360 }\n[[press.loads]]\nlink = "

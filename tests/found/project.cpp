@@ -76,14 +76,14 @@ void check_told(const project::Project& project, const std::string& warning) {
 }  // namespace
 
 TEST_SUITE("found project") {
-  TEST_CASE("A4: the peak of a signed force is no force that a bar can take") {
+  TEST_CASE("A4: the peak of a signed force is not a valid force of a bar") {
     CHECK(contains(refusal(engine + bar + "N = \"=peak(m.links.rod.N)\"\n"), "the sign of 'N' decides"));
     CHECK(refusal(engine + bar + "N = \"=min(m.links.rod.N)\"\n").empty());
     const project::Project project = solved_as_found(engine + bar + "N = \"=min(m.links.rod.N)\"\n");
     CHECK(project.value("rod.u")->si[0] > 0.0);
   }
 
-  TEST_CASE("A25: an expression is refused what a literal is refused") {
+  TEST_CASE("A25: an expression is refused wherever a literal is refused") {
     const auto wheel = [](const std::string& omega) {
       return refusal(
           "[w]\ncalculator = \"machine.flywheel\"\nM_of_phi = \"400 N*m*cos(2*phi)\"\ndelta = 0.02\nomega = \"" +
@@ -110,7 +110,7 @@ TEST_SUITE("found project") {
     check_told(solved_as_found(shaft + "\"5 N*m\" }\n"), "middle value");
   }
 
-  TEST_CASE("A30: a row of results that is not there leaves a step that is not available") {
+  TEST_CASE("A30: a row of results that does not exist leaves a step that is not available") {
     for (const char* limit :
          {"=20*s.others.missing.sigma_a/(1 MPa)*(1 MPa)", "=20*s.others[7].sigma_a/(1 MPa)*(1 MPa)"}) {
       CAPTURE(limit);
@@ -136,7 +136,7 @@ TEST_SUITE("found project") {
     CHECK(contains(report::html(report::build(solved_as_found(stands), "found")), "</html>"));
   }
 
-  TEST_CASE("B4: the angle of a crank that turns clockwise runs on at half a turn") {
+  TEST_CASE("B4: the angle of a crank that turns clockwise is continuous at half a turn") {
     std::string backwards = engine;
     backwards.replace(backwards.find("3000 rpm"), 8, "-300 rpm");
     const project::Project project = solved_as_found(backwards);
@@ -145,7 +145,7 @@ TEST_SUITE("found project") {
     CHECK((*most - *least) / deg.one == doctest::Approx(355.0));
   }
 
-  TEST_CASE("B8: a limit over a series tells its place of the largest value, and the derivation that of the check") {
+  TEST_CASE("B8: a limit over a series gives the position of its largest value, and the derivation that of the check") {
     const project::Project project = solved_as_found(engine + bar + "N = \"=m.links.rod.N\"\n");
     const Value& x_t = *project.value("rod.x_t");
     REQUIRE(x_t.is_series());
@@ -157,14 +157,14 @@ TEST_SUITE("found project") {
     CHECK(contains(account.governing.text(), "where the governing check is largest"));
   }
 
-  TEST_CASE("C1: a range in a project names the command that goes through it") {
+  TEST_CASE("C1: a range in a project names the command that runs over it") {
     const std::string said = refusal(
         "[s]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nT = { from = \"1 N*m\", to = \"5 N*m\", count = "
         "5 }\n");
     CHECK(contains(said, "these are 5 values"));
   }
 
-  TEST_CASE("C1, C2: words of the shell do not bind a file") {
+  TEST_CASE("C1, C2: words of the shell are valid step names in a file") {
     for (const char* name : {"init", "watch", "completion", "man", "why", "sweep", "run", "shaft", "gear", "motion"}) {
       CAPTURE(name);
       CHECK(
@@ -173,7 +173,7 @@ TEST_SUITE("found project") {
     }
   }
 
-  TEST_CASE("a part whose every load is zero has passed nothing") {
+  TEST_CASE("a part whose loads are all zero has passed nothing") {
     const auto state = [](const std::string& calculator, const std::string& lines) {
       return mode_with(calculator, lines, "load");
     };

@@ -36,7 +36,7 @@ std::string rod_with(const std::string& N, const std::string& more = "") {
 }  // namespace
 
 TEST_SUITE("found routes") {
-  TEST_CASE("a key for a thicker shaft than the one whose torque it takes wants a reason") {
+  TEST_CASE("a key for a thicker shaft than the one whose torque it takes needs a reason") {
     CHECK(mode_of(solved_as_found(thin_shaft + key_on("=shaft.T", "50 mm")), "key", "hub") == "not-judged");
     CHECK(mode_of(solved_as_found(thin_shaft + key_on("=shaft.M_max", "50 mm")), "key", "hub") == "not-judged");
     CHECK(mode_of(solved_as_found(thin_shaft + key_on("200 N*m", "50 mm")), "key", "hub") == "pass");
@@ -44,7 +44,7 @@ TEST_SUITE("found routes") {
     CHECK(mode_of(solved_as_found(thin_shaft + key_on("=shaft.T", "50 mm", reason)), "key", "hub") == "pass");
   }
 
-  TEST_CASE("a bearing that turns slower than the shaft whose force it takes wants a reason") {
+  TEST_CASE("a bearing that turns slower than the shaft whose force it takes needs a reason") {
     const auto bearing = [](const std::string& n) {
       return "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nn = \"1450 rpm\"\n"
              "pieces = [{ l = \"300 mm\", d = \"40 mm\" }]\n"
@@ -60,7 +60,7 @@ TEST_SUITE("found routes") {
     CHECK(mode_of(solved_as_found(bearing("1450 rpm")), "shaft", "bearings") == "not-judged");  // the right one
   }
 
-  TEST_CASE("a load in service is not that of a start") {
+  TEST_CASE("a service load is not that of a start") {
     const auto ring = [](const std::string& F, const std::string& k_max) {
       return "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nn = \"100 rpm\"\n"
              "pieces = [{ l = \"200 mm\", d = \"18 mm\" }]\n"
@@ -89,7 +89,7 @@ TEST_SUITE("found routes") {
     CHECK(mode_of(solved_as_found(rod_with("=-press.links.rod.N", reason)), "rod", "tension") == "pass");
   }
 
-  TEST_CASE("a plate on edge tips over, given by its second moments, too") {
+  TEST_CASE("a plate on edge buckles laterally, also if given by its second moments") {
     const auto beam = [](const std::string& b) {
       return "[r]\ncalculator = \"section.rectangle\"\nh = \"200 mm\"\nb = \"" + b +
              "\"\n\n[beam]\ncalculator = \"link.member\"\nN = \"0 kN\"\nV = \"1 kN\"\nM_b = \"5 kN*m\"\nl = \"3 m\"\n"
@@ -108,7 +108,7 @@ TEST_SUITE("found routes") {
     CHECK(first_error_of(shaft + "G = \"79 GPa\"\n") == "");
   }
 
-  TEST_CASE("strengths of a press fit above its material want a reason") {
+  TEST_CASE("strengths of a press fit above its material need a reason") {
     CHECK(mode_with("shaft.press_fit", "material = \"S235JR\"\nR_e_1 = \"900 MPa\"\nR_e_2 = \"900 MPa\"", "hub") ==
           "not-judged");
   }
@@ -124,7 +124,7 @@ TEST_SUITE("found routes") {
     }
   }
 
-  TEST_CASE("teeth whose torque comes from something that turns have a dynamic load, speed or not") {
+  TEST_CASE("teeth whose torque comes from a rotating part have a dynamic load, with or without a speed") {
     const std::string train =
         "[t]\ncalculator = \"drive.train\"\nP = \"5 kW\"\nn_1 = \"1450 rpm\"\nstages = [{ z_1 = 20, z_2 = 57 }]\n\n";
     const std::string gears =
@@ -134,7 +134,7 @@ TEST_SUITE("found routes") {
     CHECK(mode_of(solved_as_found(gears + "T_1 = \"30 N*m\"\n"), "g", "dynamic") == "open");
   }
 
-  TEST_CASE("a planet bends its teeth both ways, taken by its number of teeth, too") {
+  TEST_CASE("a planet bends its teeth both ways, also if only its number of teeth is taken") {
     const auto project = solved_as_found(
         "[w]\ncalculator = \"gear.planetary\"\nz_s = 24\nz_p = 30\nz_r = 84\nN_p = 3\nn_s = \"100 rpm\"\nh_ar = 0.9\n\n"
         "[g]\ncalculator = \"gear.pair\"\nz_1 = \"=w.z_s\"\nz_2 = \"=w.z_p\"\nm_n = \"3 mm\"\nb = \"30 mm\"\n"
@@ -142,11 +142,11 @@ TEST_SUITE("found routes") {
     CHECK(project.find("g")->word("idler") == "gear_2");
   }
 
-  TEST_CASE("a smooth section has no radius") {
+  TEST_CASE("a smooth section has no notch radius") {
     CHECK(ExampleStep("fatigue.din743", "notch = \"smooth\"").fault().find("r") != std::string::npos);
   }
 
-  TEST_CASE("an unusual value without which a check fails wants a reason, however it is given") {
+  TEST_CASE("an unusual value without which a check fails needs a reason, however it is given") {
     const std::string bearing =
         "[left]\ncalculator = \"bearing.rolling\"\nkind = \"tapered_roller\"\nC = \"60 kN\"\nC_0 = \"30 kN\"\n"
         "F_r = \"4 kN\"\ne = 0.4\nY = 1.5\nn = \"10 rpm\"\nn_max = \"8500 rpm\"\nL_h = \"100 h\"\ns_0 = 3\n";
@@ -206,7 +206,7 @@ TEST_SUITE("found routes") {
     CHECK(stress("P = \"=t.P\"\nn_1 = \"512.28 rpm\"\n") == "pass");  // of the second shaft, whose power is the same
   }
 
-  TEST_CASE("a strength ten times too high wants a reason, whatever the nearest usual value gives") {
+  TEST_CASE("a strength ten times too high needs a reason, whatever the nearest usual value gives") {
     const auto core = [](const std::string& R_e) {
       return mode_with("shaft.torsion", "tau_adm = \nbehaviour = \nR_e = \"" + R_e + "\"\nS = 1.5", "yield");
     };
@@ -215,7 +215,7 @@ TEST_SUITE("found routes") {
     CHECK(core("3550 MPa\"\nbecause.R_e = \"test of the wire") == "pass");
   }
 
-  TEST_CASE("an allowable stress by an expression is bounded by the material that it refers to") {
+  TEST_CASE("an allowable stress by an expression is limited by the material that it refers to") {
     const auto shaft = [](const std::string& tau_adm) {
       return mode_of(solved_as_found(
                          "[tables.materials.Plate]\nsource = \"certificate\"\nE = \"210 GPa\"\nG = \"81 GPa\"\n"
@@ -247,7 +247,7 @@ TEST_SUITE("found routes") {
     CHECK(column("l = \"60 mm\"\n") == "not-judged");
   }
 
-  TEST_CASE("a stage that is given by its ratio says no teeth") {
+  TEST_CASE("a stage that is given by its ratio has no numbers of teeth") {
     CHECK(first_error_of(
               "[t]\ncalculator = \"drive.train\"\nP = \"5 kW\"\nn_1 = \"1450 rpm\"\n"
               "stages = [{ kind = \"gear\", i = 2.85 }]\n\n[g]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\n"
@@ -272,7 +272,7 @@ TEST_SUITE("found routes") {
     CHECK(head("p = \"1.6 MPa\"\nc = \"0 mm\"\nbecause.c = \"clad\"\n") == "pass");
   }
 
-  TEST_CASE("an eye is no thicker than its pin joint says") {
+  TEST_CASE("an eye is not thicker than its pin joint states") {
     const auto eye = [](const std::string& t) {
       return mode_of(
           solved_as_found(

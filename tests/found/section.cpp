@@ -32,14 +32,14 @@ bool is_warned(const std::string& list) {
 }  // namespace
 
 TEST_SUITE("found section") {
-  TEST_CASE("A24: the same plate twice is no bar of two plates") {
+  TEST_CASE("A24: the same plate twice is not a bar of two plates") {
     CHECK_FALSE(is_refused(upn + plate));
     CHECK(is_refused(plate + plate));
     CHECK(is_refused(upn + upn));
     CHECK(is_refused(upn + R"({ section = "UPN 200", y = "17 mm" })"));  // through the web of the other
   }
 
-  TEST_CASE("A24: parts that touch do not overlap, whatever their angle; nor what lies in the hollow of another") {
+  TEST_CASE("A24: parts that touch do not overlap, whatever their angle; nor does a part in the hollow of another") {
     CHECK_FALSE(is_refused(R"({ shape = "rectangle", b = "20 mm", h = "20 mm", angle = "30 deg" },
                               { shape = "rectangle", b = "20 mm", h = "20 mm", y = "17.3205 mm", z = "10 mm", angle = "30 deg" })"));
     CHECK(is_refused(R"({ shape = "rectangle", b = "20 mm", h = "20 mm", angle = "30 deg" },
@@ -51,13 +51,13 @@ TEST_SUITE("found section") {
     CHECK(is_refused(tube + R"({ shape = "rectangle", b = "66 mm", h = "66 mm" })"));
   }
 
-  TEST_CASE("A24: what two parts cover may be cut out once") {
+  TEST_CASE("A24: an area covered by two parts may be cut out once") {
     CHECK_FALSE(is_refused(R"({ shape = "rectangle", b = "100 mm", h = "10 mm" },
                               { shape = "rectangle", b = "10 mm", h = "100 mm" },
                               { shape = "rectangle", b = "10 mm", h = "10 mm", as = "hole" })"));
   }
 
-  TEST_CASE("A24: parts 10 m apart are one bar only where something joins them") {
+  TEST_CASE("A24: parts 10 m apart are one bar only where they are joined") {
     CHECK_FALSE(is_warned(upn + plate));
     CHECK(is_warned(upn + R"({ name = "far", section = "UPN 200", y = "10 m" })"));
     CHECK(mode_with("section.built_up", parts(upn + plate), "joined") == "open");
@@ -66,7 +66,7 @@ TEST_SUITE("found section") {
     CHECK(mode_with("section.built_up", parts(plate), "joined") == "none");
   }
 
-  TEST_CASE("B10: a sharp angle twists by no more stiffness than it has") {
+  TEST_CASE("B10: an angle with sharp toes has no more torsional stiffness than it should") {
     const auto angle = [](const char* legs, const char* radii) {
       return ExampleStep("section.angle",
                          std::string("h = \"") + legs + "\"\nb = \"" + legs + "\"\nt = \"10 mm\"\n" + radii);
@@ -95,7 +95,7 @@ TEST_SUITE("found section") {
 }
 
 TEST_SUITE("found thin-walled section") {
-  TEST_CASE("a slit, a slender wall, and thick ones") {
+  TEST_CASE("an open section, a slender wall, and thick ones") {
     const std::string one =
         "cells = [{ name = \"a\", A = \"40000 mm^2\" }]\nwalls = [{ cell = \"a\", l = \"800 mm\", t = ";
     CHECK(mode_with("section.thin_walled", "", "yield") == "pass");
@@ -105,21 +105,21 @@ TEST_SUITE("found thin-walled section") {
     CHECK(mode_with("section.thin_walled", "cells = \nwalls = [{ l = \"800 mm\", t = \"8 mm\" }]", "yield") == "fail");
   }
 
-  TEST_CASE("torque the other way, brittle walls, a wall of its own strength") {
+  TEST_CASE("reversed torque, brittle walls, a wall with its own strength") {
     CHECK(mode_with("section.thin_walled", "T = \"-90 kN*m\"", "yield") == "fail");
     CHECK(mode_with("section.thin_walled", "R_e = \nS = \nsigma_adm = \"20 MPa\"\nbehaviour = \"brittle\"",
                     "fracture") == "fail");
     CHECK(mode_with("section.thin_walled", "K_A = 1.5", "fatigue") == "not-judged");
   }
 
-  TEST_CASE("a cell within a cell is none beside it") {
+  TEST_CASE("a cell within a cell is not a cell next to it") {
     const ExampleStep step("section.thin_walled",
                            R"(cells = [{ name = "a", A = "1e4 mm^2" }, { name = "b", A = "2500 mm^2" }]
 walls = [{ cell = "a", l = "400 mm", t = "5 mm" }, { cell = "b", beside = "a", l = "200 mm", t = "5 mm" }])");
     CHECK(step.fault().find("lies within") != std::string::npos);
   }
 
-  TEST_CASE("cells of a thin-walled section that cover one place, or cross themselves, are refused") {
+  TEST_CASE("cells of a thin-walled section that overlap, or cross themselves, are refused") {
     const std::string walls =
         "walls = [{ cell = \"a\", l = \"300 mm\", t = \"4 mm\" }, { cell = \"b\", l = \"300 mm\", t = \"4 mm\" }, "
         "{ cell = \"a\", beside = \"b\", l = \"100 mm\", t = \"4 mm\" }]\n";

@@ -30,7 +30,7 @@ bool tells(const std::string& text, const std::string& words) {
 }  // namespace
 
 TEST_SUITE("found senses") {
-  TEST_CASE("a torque that reverses is none that goes one way, whole or by its peak") {
+  TEST_CASE("a torque that reverses is not one-way, in full or by its peak") {
     for (const char* T : {"=press.drive.M", "=peak(press.drive.M)", "=1.2*press.drive.M"}) {
       CHECK(tells(key_with(T, "one_way"), "T reverses: 'press.drive.M'"));
       CHECK(tells(key_with(T, "one_way"), "write torque = \"reversing\""));
@@ -38,7 +38,7 @@ TEST_SUITE("found senses") {
     CHECK(first_error_of(key_with("=press.drive.M", "reversing") + "f_W = 0.5\n") == "");
   }
 
-  TEST_CASE("it is known behind a shaft that takes its peak, too") {
+  TEST_CASE("this is known behind a shaft that takes its peak, too") {
     const std::string shaft =
         "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"=peak(press.drive.M)\"\ntau_adm = \"30 MPa\"\n\n";
     std::string text = key_with("=shaft.T", "one_way");
@@ -46,7 +46,7 @@ TEST_SUITE("found senses") {
     CHECK(tells(text, "T reverses: 'press.drive.M'"));
   }
 
-  TEST_CASE("a torque that keeps its sense goes one way") {
+  TEST_CASE("a torque that keeps its direction is one-way") {
     const std::string lifting =
         "loads = [{ name = \"Q\", link = \"crank\", M = \"-400 N*m\" }]\n";  // more than the inertia gives back
     std::string text = key_with("=press.drive.M", "one_way");
@@ -54,7 +54,7 @@ TEST_SUITE("found senses") {
     CHECK(first_error_of(text) == "");
   }
 
-  TEST_CASE("teeth that a reversing torque bends both ways are both idlers") {
+  TEST_CASE("teeth that a reversing torque bends both ways are idlers on both gears") {
     const auto pair = [](const std::string& idler) {
       return press +
              "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"4 mm\"\nb = \"40 mm\"\n"

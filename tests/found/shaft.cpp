@@ -60,7 +60,7 @@ tau_adm = "20 MPa"
 }
 
 TEST_SUITE("found key") {
-  TEST_CASE("a weak hub fails where shaft and key hold") {
+  TEST_CASE("a weak hub fails where shaft and key pass") {
     CHECK(mode_with("shaft.key", "R_e_2 = \nT = \"1 kN*m\"\np_adm_2 = \"60 MPa\"", "hub") == "fail");
     CHECK(mode_with("shaft.key", "R_e_2 = \nT = \"1 kN*m\"\np_adm_2 = \"60 MPa\"", "shaft") == "pass");
     CHECK(mode_with("shaft.key", "R_e_k = \"150 MPa\"\nT = \"1 kN*m\"", "key") == "fail");
@@ -68,7 +68,7 @@ TEST_SUITE("found key") {
     CHECK(mode_with("shaft.key", "R_e_2 = ", "hub") == "not-judged");
   }
 
-  TEST_CASE("key length within the hub, or of another shaft, or too high, fails") {
+  TEST_CASE("a key that is longer than the hub, of another shaft, or too high, fails") {
     CHECK(mode_with("shaft.key", "l_n = \"60 mm\"", "hub_length") == "fail");
     CHECK(mode_with("shaft.key", "l_n = ", "hub_length") == "not-judged");
     CHECK(mode_with("shaft.key", "d = \"44 mm\"", "fit") == "fail");
@@ -81,7 +81,7 @@ TEST_SUITE("found key") {
     CHECK(mode_with("shaft.key", "l = \"90 mm\"\nl_n = \"100 mm\"", "length") == "not-covered");
   }
 
-  TEST_CASE("a torque that changes its sense is not judged by what it would be without") {
+  TEST_CASE("a torque that reverses is not assessed as if it did not") {
     CHECK(mode_with("shaft.key", "", "reversal") == "none");
     CHECK(mode_with("shaft.key", "torque = ", "reversal") == "open");
     CHECK(mode_with("shaft.key", "torque = \"reversing\"", "reversal") == "not-judged");
@@ -89,12 +89,12 @@ TEST_SUITE("found key") {
     CHECK(mode_with("shaft.key", "torque = \"reversing\"\nf_W = 0.4", "reversal") == "fail");
   }
 
-  TEST_CASE("a start of five times the torque breaks the key, which K_A does not tell") {
+  TEST_CASE("a start of five times the torque breaks the key, which K_A does not show") {
     CHECK(mode_with("shaft.key", "K_A = 1", "hub") == "pass");
     CHECK(mode_with("shaft.key", "K_A = 1\nT_max = \"-2.25 kN*m\"", "hub") == "fail");
   }
 
-  TEST_CASE("the forces of a gear bend the shaft, and its torque comes alone to the key") {
+  TEST_CASE("the forces of a gear bend the shaft, and the key takes only its torque") {
     const auto project = solved_as_found(gears + R"(
 [seat]
 calculator = "shaft.key"
@@ -109,22 +109,21 @@ l = "45 mm"
 }
 
 TEST_SUITE("found press fit") {
-  TEST_CASE(
-      "the smallest fit slips where the largest would hold, and the largest yields where the smallest would not") {
+  TEST_CASE("the minimum interference slips where the maximum holds, the maximum yields where the minimum does not") {
     CHECK(mode_with("shaft.press_fit", "", "slip") == "pass");
     CHECK(mode_with("shaft.press_fit", "U_min = \"20 um\"", "slip") == "fail");
     CHECK(mode_with("shaft.press_fit", "U_max = \"120 um\"", "hub") == "fail");
     CHECK(mode_with("shaft.press_fit", "d_i = \"50 mm\"\nU_max = \"120 um\"", "shaft") == "fail");
   }
 
-  TEST_CASE("an axial force beside the torque slips it, oil too, and heat that loosens it") {
+  TEST_CASE("an axial force next to the torque, oil, and heat make it slip") {
     CHECK(mode_with("shaft.press_fit", "F_z = \"-30 kN\"", "slip") == "fail");
     CHECK(mode_with("shaft.press_fit", "mu = 0.08", "slip") == "fail");
     CHECK(mode_with("shaft.press_fit", "dT_1 = \"5 K\"\ndT_2 = \"25 K\"", "slip") == "fail");
     CHECK(mode_with("shaft.press_fit", "dT_2 = \"-60 K\"", "hub") == "fail");
   }
 
-  TEST_CASE("a hub hotter than it bears is not put on, and what is not given is not judged") {
+  TEST_CASE("a hub heated beyond its limit is not fitted, and missing input is not assessed") {
     CHECK(mode_with("shaft.press_fit", "dT_adm = \"200 K\"", "shrinking") == "fail");
     CHECK(mode_with("shaft.press_fit", "mu_e = 0.1\nF_adm = \"100 kN\"", "pressing") == "fail");
     CHECK(mode_with("shaft.press_fit", "S_r = ", "slip") == "not-judged");
@@ -134,7 +133,7 @@ TEST_SUITE("found press fit") {
 }
 
 TEST_SUITE("found held bar") {
-  TEST_CASE("the sleeve of a weak material decides, not the bar; its joint is not passed in silence") {
+  TEST_CASE("the sleeve of a weak material governs, not the bar; its joint does not silently pass") {
     CHECK(mode_with("shaft.held", "", "yield") == "pass");
     CHECK(mode_with("shaft.held", "", "joint") == "not-judged");
     CHECK(mode_with("shaft.held", "sleeves = ", "joint") == "none");
@@ -144,7 +143,7 @@ TEST_SUITE("found held bar") {
     CHECK(mode_with("shaft.held", weak, "yield") == "fail");
   }
 
-  TEST_CASE("a torque the other way, spread or at a place, is judged alike") {
+  TEST_CASE("a reversed torque, distributed or concentrated, is assessed alike") {
     CHECK(mode_with("shaft.held", "torques = [{ x = \"500 mm\", T = \"-2 kN*m\" }]", "yield") == "fail");
     CHECK(mode_with("shaft.held",
                     "torques = \nsleeves = \nsegments = [{ l = \"1 m\", d = \"20 mm\", m = \"-1 kN*m/m\" }]",
@@ -174,7 +173,7 @@ TEST_SUITE("found held bar") {
 }
 
 TEST_SUITE("found groove") {
-  TEST_CASE("a groove lies within its piece, and is as sharp as it can be made") {
+  TEST_CASE("a groove lies within its segment, and is only as sharp as can be manufactured") {
     const auto fault = [](const std::string& groove) {
       return ExampleStep("shaft.design",
                          "notches = [{ x = \"60 mm\", kind = \"shoulder\", r = \"2 mm\" }, { x = \"140 mm\", "
@@ -190,7 +189,7 @@ TEST_SUITE("found groove") {
           std::string::npos);
   }
 
-  TEST_CASE("a fillet has room on the thinner side, and leaves a face where something is set against it") {
+  TEST_CASE("a fillet has space on the thinner side, and leaves a face for the abutting part") {
     const auto fault = [](const std::string& fillet) {
       return ExampleStep("shaft.design", "notches = [{ x = \"60 mm\", kind = \"shoulder\", " + fillet +
                                              " }, { x = \"140 mm\", kind = \"shoulder\", r = \"2 mm\" }]")
@@ -203,7 +202,7 @@ TEST_SUITE("found groove") {
     CHECK(fault("r = \"365 mm\"").find("along a piece of 60 mm") != std::string::npos);
   }
 
-  TEST_CASE("a torque told by power and speed is taken where a torque is") {
+  TEST_CASE("a torque given by power and speed is taken like a torque") {
     const ExampleStep step("shaft.held", "torques = [{ name = \"lever\", x = \"500 mm\", T = \"=5 kW/(1450 rpm)\" }]");
     const ExampleStep same("shaft.held", "torques = [{ name = \"lever\", x = \"500 mm\", T = \"32.92860892 N*m\" }]");
     CHECK(std::abs(step("R_1") / same("R_1") - 1.0) < 1e-6);  // 5000/(1450 pi/30)
@@ -224,7 +223,7 @@ TEST_SUITE("found shaft between bearings") {
     CHECK(std::abs(K_f("two-keyways").second / K_f("keyway").second - 1.15) < 1e-12);
   }
 
-  TEST_CASE("notches that feel one another are not judged each alone; a grey iron may break") {
+  TEST_CASE("notches that interact are not assessed one by one; a grey iron may break") {
     const auto state = [](const std::string& x, const std::string& mode) {
       return mode_with(
           "shaft.design",
@@ -242,7 +241,7 @@ TEST_SUITE("found shaft between bearings") {
     CHECK(mode_with("shaft.design", iron + "\"ductile-iron\"", "brittle") == "open");
   }
 
-  TEST_CASE("a turn at few positions hides the peak of what loads the shaft") {
+  TEST_CASE("a revolution with few positions hides the peak load of the shaft") {
     const auto errors = [](const std::string& positions) {
       std::vector<Issue> issues;
       project::Project project = project::read_project(
@@ -266,7 +265,7 @@ TEST_SUITE("found shaft between bearings") {
     CHECK(errors("12").find("between the positions of the turn") != std::string::npos);
   }
 
-  TEST_CASE("the torque does not come through to the end of a long fit") {
+  TEST_CASE("the torque does not reach the end of a long fit") {
     CHECK(mode_with("shaft.press_fit", "", "slip") == "pass");
     CHECK(mode_with("shaft.press_fit", "l = \"200 mm\"", "slip") == "not-covered");
   }

@@ -58,7 +58,7 @@ std::string assembled(const std::string& pieces, const std::string& seats) {
 }  // namespace
 
 TEST_SUITE("assembly of shafts") {
-  TEST_CASE("what is slid onto a shaft has a way to its place, unless it is one piece with it") {
+  TEST_CASE("a component that is slid onto a shaft has a path to its position, unless it is one piece with it") {
     const std::string ends = "{ l = \"60 mm\", d = \"30 mm\" }, ", collar = "{ l = \"20 mm\", d = \"48 mm\" }, ",
                       middle = "{ l = \"40 mm\", d = \"40 mm\" }, ";
     const std::string gear = "{ name = \"gear\", x = \"100 mm\", F_x = \"-1 kN\"", end = " }";
@@ -94,7 +94,7 @@ TEST_SUITE("assembly of shafts") {
     CHECK(assembled(longer, pinion("95 mm", "60 mm")) == "none");  // two segments of one diameter
   }
 
-  TEST_CASE("bodies have room beside one another and beside bearings") {
+  TEST_CASE("bodies have space next to one another and next to bearings") {
     const std::string bar = "{ l = \"200 mm\", d = \"40 mm\" }";
     const auto seat = [](const char* x, const char* b) {
       return std::string("{ x = \"") + x + "\", F_x = \"-1 kN\", mass = \"1 kg\", I_p = \"1e-3 kg*m^2\", b = \"" + b +
@@ -109,7 +109,7 @@ TEST_SUITE("assembly of shafts") {
 }
 
 TEST_SUITE("found places on shafts") {
-  TEST_CASE("N1: no step has less stress concentration than its fillet makes") {
+  TEST_CASE("N1: no step has less stress concentration than its fillet gives") {
     refuses_shaft(stepped_shaft("kind = \"given\", K_t = 1, K_ts = 1"), "give the radius r of its fillet");
     refuses_shaft(stepped_shaft("kind = \"given\", K_t = 1, K_ts = 1, r = \"0.5 mm\""), "K_t = 1 at 150 mm");
     refuses_shaft(stepped_shaft("kind = \"given\", K_t = 1.5, K_ts = 1.5, r = \"0.5 mm\""), "K_t = 1.5 at 150 mm");
@@ -146,7 +146,7 @@ TEST_SUITE("found places on shafts") {
                   "l is the length of a key");
   }
 
-  TEST_CASE("the end of a press-fitted hub lies beside what it carries, toward the torque") {
+  TEST_CASE("the end of a press-fitted hub is near a component, and the shaft carries torque there") {
     refuses_shaft(keyed_shaft("x = \"150 mm\", kind = \"press-fit\""),
                   "no mounted component and no bearing near a hub that ends at 150 mm");
     refuses_shaft(keyed_shaft("x = \"15 mm\", kind = \"press-fit\""), "the shaft carries no torque at 15 mm");

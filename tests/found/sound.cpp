@@ -120,7 +120,7 @@ TEST_SUITE("found sound designs") {
     CHECK(contains(first_error_of(stub_with("=belts.K_A*belts.shaft_2.F")), "K_A would be applied twice"));
   }
 
-  TEST_CASE("one value of a compressive force is as good as the force, if it is the largest") {
+  TEST_CASE("one value of a compressive force is accepted like the force, if it is the largest") {
     for (const char* load :
          {"N = \"=press.links.rod.N\"", "N = \"=min(press.links.rod.N)\"", "N = \"=-max(press.joints.B.F)\"",
           "N = \"=-peak(press.links.rod.N)\"", "P = \"=max(-press.links.rod.N)\"", "P = \"=peak(press.joints.B.F)\""})

@@ -27,7 +27,7 @@ void takes_stress(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("found kinds of stress") {
-  TEST_CASE("X1: shear is no normal stress, by whatever way it comes") {
+  TEST_CASE("X1: a shear stress is not a normal stress, in whichever way it is passed") {
     const std::string wrong = "is a normal stress, but this expression is a shear stress";
     for (const char* const value : {"=s.tau_max", "=1.2*s.tau_max", "=s.tau_max/2", "=-s.tau_max", "=s.tau_max + 5 MPa",
                                     "=max(s.tau_max, 1 MPa)", "=s.segments[1].tau"})
@@ -55,7 +55,7 @@ TEST_SUITE("found kinds of stress") {
     takes_stress(twisted_bar + cycle_of_it + "sigma_max = \"=mises(0 MPa, s.tau_max)\"\n");
   }
 
-  TEST_CASE("a normal stress is no shear, and an equivalent one has no plane") {
+  TEST_CASE("a normal stress is not a shear stress, and an equivalent one has no plane") {
     const std::string normal = "[n]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"80 MPa\"\nr = -1\n";
     refuses_stress(normal + cycle_of_it + "stress = \"shear\"\nsigma_max = \"=n.sigma_max\"\n",
                    "is a shear stress, but this expression is a normal stress");
@@ -72,7 +72,7 @@ TEST_SUITE("found kinds of stress") {
     refuses_stress(path + cycle_of_it + "sigma_max = \"=p.sigma_va\"\n", "this expression is an equivalent stress");
   }
 
-  TEST_CASE("X3: a word that is typed beside the record that has another") {
+  TEST_CASE("X3: a typed choice next to a record with another choice") {
     refuses_stress(twisted_bar + cycle_of_it + "cycle = \"=s.cycle\"\nstress = \"normal\"\n",
                    "'stress' is \"normal\" here, and 's.cycle.stress' is \"shear\"");
     takes_stress(twisted_bar + cycle_of_it + "cycle = \"=s.cycle\"\nstress = \"shear\"\n");

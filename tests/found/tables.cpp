@@ -37,7 +37,7 @@ std::string strut(const std::string& lines) {
 }  // namespace
 
 TEST_SUITE("found tables") {
-  TEST_CASE("C4: steels of pressure vessels have their yield by the thickness of the plate") {
+  TEST_CASE("C4: steels for pressure vessels have their yield strength by the thickness of the plate") {
     CHECK(yield_of("P355GH", 0.016) == doctest::Approx(355));
     CHECK(yield_of("P355GH", 0.0161) == doctest::Approx(345));
     CHECK(yield_of("1.0345", 0.012) == doctest::Approx(235));
@@ -48,7 +48,7 @@ TEST_SUITE("found tables") {
     CHECK(mode_of(project, "wall", "strength") == "pass");
   }
 
-  TEST_CASE("C4: old names answer, and what only comes close says so") {
+  TEST_CASE("C4: old names are found, and a name that only comes close is reported") {
     CHECK(answer("material", "St37-2") == "S235");
     CHECK(answer("material", "St 52-3") == "S355");
     CHECK(answer("material", "GGG40") == "EN-GJS-400-15");
@@ -74,14 +74,14 @@ TEST_SUITE("found tables") {
     CHECK(answer("material", "42CrMo5").ends_with("did you mean '42CrMo4'?"));
   }
 
-  TEST_CASE("a designation with a suffix, a maker or only part of the name leads to the row") {
+  TEST_CASE("a designation with a suffix, a manufacturer or only part of the name leads to the row") {
     CHECK(answer("bearing", "6208-2RS").ends_with("did you mean '6208'?"));
     CHECK(answer("bearing", "SKF 6208").ends_with("did you mean '6208'?"));
     CHECK(answer("material", "42CrMo4+QT").ends_with("did you mean '42CrMo4'?"));
     CHECK(answer("key", "auto").ends_with("`loadpath tables shaft/keys` lists them"));
   }
 
-  TEST_CASE("C4: a material of the project's own is used, and of another project is not") {
+  TEST_CASE("C4: a material of the project's own is used, and one of another project is not") {
     const std::string own = "[tables.materials.M]\nsource = \"certificate\"\nR_e = \"291 MPa\"\n";
     const auto project = solved_as_found(own + wall("delta = \"10 mm\"\nmaterial = \"M\""));
     CHECK(project.value("wall.sigma_all")->si[0] == doctest::Approx(291e6 / 1.5));
@@ -108,14 +108,14 @@ TEST_SUITE("found tables") {
     CHECK(stock.value("axle.d")->si[0] == doctest::Approx(0.033));
   }
 
-  TEST_CASE("C4: a section of the project's own is refused where a calculator looks in its catalogue alone") {
+  TEST_CASE("C4: a section of the project's own is refused where a calculator only looks in its catalogue") {
     const std::string parts = "[g]\ncalculator = \"section.built_up\"\nparts = [{ section = \"IPE 200\" }]\n";
     CHECK(first_error_of(parts).empty());
     CHECK(first_error_of("[tables.sections.\"IPE 200\"]\nsource = \"maker\"\nA = \"20 cm^2\"\n" + parts)
               .starts_with("'IPE 200' is a section of the project, but 'section.built_up' takes only those"));
   }
 
-  TEST_CASE("values of tables stand in expressions, with their dimension known when the file is read") {
+  TEST_CASE("table values can be used in expressions, with their dimension known when the file is read") {
     const auto project =
         solved_as_found(strut("I_y = '=2 * tables.sections.\"IPE 330\".I_z'\nE = \"=tables.materials.S355.E\""));
     CHECK(project.value("strut.E")->si[0] == 210e9);
@@ -133,7 +133,7 @@ TEST_SUITE("found tables") {
     CHECK(E->origin.text.text() == "= tables.materials.M.E, own table of the project: certificate");
   }
 
-  TEST_CASE("a screw, a ring and a material of the project's own bear what others of their size do") {
+  TEST_CASE("a screw, a ring and a material of the project's own are as strong as others of their size") {
     const auto screw = [](const std::string& F_h) {
       return first_error_of("[tables.set_screws.M8]\nd_s = \"8 mm\"\nF_h = \"" + F_h +
                             "\"\nsource = \"maker\"\n[s]\ncalculator = \"shaft.set_screw\"\nT = \"15 N*m\"\n"
@@ -182,7 +182,7 @@ TEST_SUITE("found tables") {
     CHECK(metal("kind = \"aluminium alloy\"\n", "R_e = \"500 MPa\"\nR_m = \"570 MPa\"\n") == "");
   }
 
-  TEST_CASE("A32: a strength belongs to the diameter at heat treatment") {
+  TEST_CASE("A32: a strength belongs to the heat treatment diameter") {
     const auto as_finished = solved_as_found(
         "[s]\ncalculator = \"fatigue.endurance\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nrule = "
         "\"din743\"\nloading = "

@@ -44,7 +44,7 @@ bool just_enough(const char* calculator, const std::string& lines) {
 }  // namespace
 
 TEST_SUITE("found vessel") {
-  TEST_CASE("A15: a sphere that hangs from a high ring with liquid is pressed below it, and may buckle") {
+  TEST_CASE("A15: a sphere with liquid that hangs from a high ring is in compression below it, and may buckle") {
     const std::string hung = sphere("6 m", "12 m", "\nphi_s = \"60 deg\"");
     CHECK(mode_with("vessel.sphere", hung, "buckling") == "not-judged");
     CHECK(mode_with("vessel.sphere", hung, "strength") == "pass");
@@ -61,13 +61,13 @@ TEST_SUITE("found vessel") {
     CHECK(mode_with("vessel.shell", bowl(90.0), "buckling") == "none");
   }
 
-  TEST_CASE("A15: knuckles of flat heads are judged, those of deep ones are not pressed") {
+  TEST_CASE("A15: knuckles of flat heads are assessed, those of deep ones are not in compression") {
     CHECK(mode_with("vessel.ellipsoid", "delta = \"2.4 mm\"\nmeasured = \"mean\"", "knuckle") == "pass");
     CHECK(mode_with("vessel.ellipsoid", "delta = \"2.3 mm\"\nmeasured = \"mean\"", "knuckle") == "not-covered");
     CHECK(mode_with("vessel.ellipsoid", "b = \"500 mm\"", "knuckle") == "none");
   }
 
-  TEST_CASE("A16: the liquid's edge governs, and the thickness is enough for it") {
+  TEST_CASE("A16: the edge of the liquid governs, and the thickness is sufficient for it") {
     const std::string lines = sphere("5 m", "1.354 m", "\nz_l = 0.7\nz_c = 0.7\nsigma_adm = \"10 MPa\"");
     const ExampleStep given("vessel.sphere", lines + "\ndelta = \"6 mm\"");
     CHECK(per_mille(given("sigma_v"), 8.316e6) < 0.1);
@@ -78,7 +78,7 @@ TEST_SUITE("found vessel") {
     CHECK(given.project().value("sphere.delta_L") == nullptr);  // Lamé knows nothing of the weight on the ring
   }
 
-  TEST_CASE("A16: the least thickness with liquid is just strong enough, wherever its edge lies") {
+  TEST_CASE("A16: the minimum thickness with liquid is just strong enough, wherever its edge lies") {
     for (const char* h_l : {"0.3 m", "1.354 m", "3.21 m", "5 m", "7.77 m", "9.9 m"}) {
       CAPTURE(std::string(h_l));
       CHECK(just_enough("vessel.sphere", sphere("5 m", h_l)));
@@ -89,13 +89,13 @@ TEST_SUITE("found vessel") {
     }
   }
 
-  TEST_CASE("cycles of the pressure are fatigue; rings that are not there are no help") {
+  TEST_CASE("cycles of the pressure are fatigue; rings without data are not assessed") {
     CHECK(mode_with("vessel.cylinder", "", "fatigue") == "open");
     CHECK(mode_with("vessel.cylinder", "", "rings") == "none");
     CHECK(mode_with("vessel.cylinder", "ends = \"ringed\"", "rings") == "not-judged");
   }
 
-  TEST_CASE("a head bears the liquid of its vessel, unless it is the upper one") {
+  TEST_CASE("a head carries the liquid of its vessel, unless it is the upper one") {
     const std::string shell =
         "[shell]\ncalculator = \"vessel.cylinder\"\np = \"0.2 MPa\"\nR = \"3 m\"\nrho = \"1000 kg/m^3\"\n"
         "h_l = \"15 m\"\ndelta = \"12 mm\"\nsigma_adm = \"100 MPa\"\n[head]\ndelta = \"20 mm\"\n"

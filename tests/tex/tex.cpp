@@ -46,7 +46,7 @@ std::string first_page(const Desk& desk) { return desk.shell("pdftotext -f 1 -l 
 }  // namespace
 
 TEST_SUITE("reports set by LaTeX" * takes_share) {
-  TEST_CASE("the report of every example is set without an error, and within its margins") {
+  TEST_CASE("the report of every example compiles without an error, and within its margins") {
     if (!is_there("pdflatex")) {
       MESSAGE("skipped: no pdflatex");
       return;
@@ -62,7 +62,7 @@ TEST_SUITE("reports set by LaTeX" * takes_share) {
     }
   }
 
-  TEST_CASE("the words and numbers of page 1 stand in the PDF") {
+  TEST_CASE("the words and numbers of page 1 are in the PDF") {
     if (!is_there("pdflatex") || !is_there("pdftotext")) {
       MESSAGE("skipped: no pdflatex, or no pdftotext");
       return;

@@ -146,7 +146,7 @@ TEST_SUITE("rolling bearing") {
     }
   }
 
-  TEST_CASE("a mate is refused of a bearing that induces no axial force, and without a direction") {
+  TEST_CASE("an opposed bearing is refused for a bearing that induces no axial force, and without a direction") {
     const std::string deep = "[b]\ncalculator = \"bearing.rolling\"\nF_r = \"3 kN\"\nF_a = \"1 kN\"\nn = \"900 rpm\"\n";
     const std::string mate = "mate = { F_r = \"2 kN\", Y = 1.6 }\n";
     CHECK(says(deep + "bearing = \"6208\"\n" + mate + "carries = \"left\"", "a pair is of two single-row bearings"));
@@ -157,7 +157,7 @@ TEST_SUITE("rolling bearing") {
           "pass");
   }
 
-  TEST_CASE("without a speed the life is in revolutions, and is not judged unless it is required so") {
+  TEST_CASE("without a speed the life is in revolutions, and is assessed only if a life is required") {
     const std::string still = "[b]\ncalculator = \"bearing.rolling\"\nF_r = \"3 kN\"\nbearing = \"6208\"\n";
     const auto project = solved_as_found(still);
     CHECK(mode_of(project, "b", "fatigue") == "not-judged");

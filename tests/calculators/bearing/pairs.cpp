@@ -117,7 +117,7 @@ TEST_SUITE("rolling bearing") {
     }
   }
 
-  TEST_CASE("what a pair needs, or contradicts, is said with its remedy") {
+  TEST_CASE("what a pair needs or contradicts is reported with its remedy") {
     const std::string bare =
         "[b]\ncalculator = \"bearing.rolling\"\nbearing = \"30208\"\nF_r = \"3 kN\"\nn = \"9 rpm\"\n";
     const std::string mate = "mate = { F_r = \"2 kN\", Y = 1.6 }\n";
@@ -184,7 +184,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(contains(none.origin("left", "bearing"), "none passes, nearest is"));
   }
 
-  TEST_CASE("two bearings of a shaft take Y of each other, and the shaft takes their pressure centres") {
+  TEST_CASE("two bearings of a shaft take Y from each other, and the shaft takes their pressure centres") {
     const auto of = [](const std::string& name, const std::string& other, const std::string& row) {
       return "[" + name + "]\ncalculator = \"bearing.rolling\"\nload = \"=shaft.bearings." + name + "\"\nbearing = \"" +
              row + "\"\narrangement = \"face_to_face\"\nmate = { load = \"=shaft.bearings." + other +

@@ -53,7 +53,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(std::abs(in_si(solve(in).L_10h) / 3600.0 - 8795.0) < 0.5);
   }
 
-  TEST_CASE("e and Y stand as printed at the rows of [Koyo], and straight between them") {
+  TEST_CASE("e and Y are as printed at the rows of [Koyo], and linear between them") {
     Rolling::Input in = bearing_6208();
     in.F_r = 0.1 * kN;
     const auto at = [&](double f) {
@@ -67,7 +67,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(at(0.5 * (1.38 + 2.07)).e == doctest::Approx(0.32));
   }
 
-  TEST_CASE("rollers live by 10/3: half of the load has 10.08 times the life") {
+  TEST_CASE("rollers have the life exponent 10/3: half of the load has 10.08 times the life") {
     Rolling::Input in = bearing_6208();
     in.kind = bearing::Kind::cylindrical_roller_NU, in.f_0 = unset<double>;
     const double full = solve(in).L_10;
@@ -76,7 +76,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(rel(full, std::pow(11.64, 10.0 / 3.0)) < 1e-12);
   }
 
-  TEST_CASE("blocks wear by their turns: the hours until the sum of n_i/N_i is 1, counted one by one") {
+  TEST_CASE("blocks count by their revolutions: the hours until the sum of n_i/N_i is 1, counted one by one") {
     Rolling::Input in = bearing_6208();
     in.blocks.push_back({Name("fast"), 0.3, 0.5, 3000.0 * rpm});
     in.blocks.push_back({Name("slow"), 0.6, 1.5, 300.0 * rpm});
@@ -92,7 +92,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(rel(in_si(r.P_0), 10e3) < 1e-12);  // at rest it still dents
   }
 
-  TEST_CASE("two rows of [NSK-E1102] example 3 take their load by Y_1 within e and by X and Y beyond") {
+  TEST_CASE("two rows of [NSK-E1102] example 3 take their load by Y_1 up to e and by X and Y beyond") {
     Rolling::Input in;
     in.kind = bearing::Kind::spherical_roller, in.C = 603.0 * kN, in.F_r = 45.0 * kN, in.F_a = 8.0 * kN,
     in.n = 500.0 * rpm;
@@ -102,7 +102,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(rel(in_si(solve(in).P), 0.67 * 45e3 + 3.3 * 20e3) < 1e-12);
   }
 
-  TEST_CASE("a bearing that stands has a static load and no life") {
+  TEST_CASE("a bearing at standstill has a static load and no life") {
     Rolling::Input in = bearing_6208();
     in.n = 0.0 * rpm, in.F_a = 5.0 * kN, in.s_0 = 2.0;
     const auto r = solve(in);
@@ -112,7 +112,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(rel(r.u_0, 2.0 * 4000.0 / 17900.0) < 1e-12);
   }
 
-  TEST_CASE("without any load there is no infinite life") {
+  TEST_CASE("without a load no infinite life is reported") {
     Rolling::Input in = bearing_6208();
     in.F_r = 0.0 * N.one, in.L_h = 10000.0 * hour;
     const auto r = solve(in);
@@ -123,7 +123,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(solve(in).x_min == 0.0);
   }
 
-  TEST_CASE("what is missing or contradicts is said") {
+  TEST_CASE("missing and contradictory inputs are reported") {
     check_says("kind = \"deep_groove_ball\"\n" + loads, "give f_0 and C_0 of the manufacturer's table");
     check_says("kind = \"deep_groove_ball\"\nf_0 = 14\n" + loads, "give the static load rating C_0");
     check_says("kind = \"tapered_roller\"\n" + loads, "give e, Y");

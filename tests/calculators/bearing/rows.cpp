@@ -60,7 +60,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(mode_of(by_row, "b", "speed") == "pass");
   }
 
-  TEST_CASE("a value beside the row: another factor is another bearing, a higher rating needs its reason") {
+  TEST_CASE("a value next to the row: another factor means another bearing, a higher rating needs a reason") {
     CHECK(says(alone("bearing = \"6208\"\nf_0 = 12"), "f_0"));
     CHECK(mode_of(solved_as_found(alone("bearing = \"6208\"\nC = \"40 kN\"")), "b", "fatigue") == "not-judged");
     CHECK(mode_of(solved_as_found(alone("bearing = \"6208\"\nC = \"40 kN\"\nbecause.C = \"maker's list of 2026\"")),
@@ -83,8 +83,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(says(alone("bearing = { where = \"d = 40 mm\", series = \"62\" }"), "'series' is not a valid key here"));
   }
 
-  TEST_CASE(
-      "rows that an engineer rejects: no ribs under a thrust, too fast, alone at an angle, a rating of one's own") {
+  TEST_CASE("rows that an engineer rejects: no ribs under thrust, too fast, single at an angle, a typed rating") {
     const auto state = [](const std::string& lines, const char* mode) {
       return mode_of(solved_as_found(alone(lines)), "b", mode);
     };
@@ -103,7 +102,7 @@ TEST_SUITE("rolling bearing") {
     CHECK(says(own + alone("bearing = \"6208\""), "because"));
   }
 
-  TEST_CASE("a row of any maker, in the form of docs/own-tables.md, is found by its values") {
+  TEST_CASE("a row of any manufacturer, in the form of docs/own-tables.md, is found by its values") {
     const std::string own =
         "[tables.bearings.\"4711-208\"]\nkind = \"deep_groove_ball\"\nd = \"40 mm\"\n"
         "D = \"80 mm\"\nB = \"18 mm\"\nC = \"29.1 kN\"\nC_0 = \"17.9 kN\"\nf_0 = 14\n"
@@ -113,7 +112,7 @@ TEST_SUITE("rolling bearing") {
               .find("4711-208: ") == 0);
   }
 
-  TEST_CASE("the seat: bore, width, fillet and shoulder of the row against the shaft") {
+  TEST_CASE("the bearing seat: bore, width, fillet and shoulder of the row against the shaft") {
     CHECK(seat_of("bearing = \"6208\"") == "pass");
     CHECK(seat_of("bearing = \"6209\"") == "fail");                            // bore 45 mm
     CHECK(seat_of("bearing = \"NU 2308\"") == "fail");                         // 33 mm wide, 26 mm of room

@@ -61,7 +61,7 @@ pulleys = [{ name = "motor", x = "0 mm", y = "0 mm", d = "160 mm" }, { name = "r
 }  // namespace
 
 TEST_SUITE("belt course") {
-  TEST_CASE("around equal pulleys it is as long as the polygon of their centres and one circle") {
+  TEST_CASE("around equal pulleys the belt is as long as the polygon of their centres plus one circumference") {
     const auto r = solve(around({pulley(0, 0, 100), pulley(600, 0, 100), pulley(600, 450, 100)}));
     CHECK(in_mm(r.L) == doctest::Approx(600.0 + 450.0 + 750.0 + 100.0 * pi).epsilon(1e-14));
     CHECK(r.pulleys[0].alpha == doctest::Approx(pi - std::atan2(450.0, 600.0)).epsilon(1e-14));
@@ -69,7 +69,7 @@ TEST_SUITE("belt course") {
     CHECK(in_mm(r.pulleys[2].l_s) == doctest::Approx(750.0).epsilon(1e-14));
   }
 
-  TEST_CASE("around two pulleys it is the open drive") {
+  TEST_CASE("around two pulleys the belt is the open drive") {
     for (const double d : {80.0, 200.0, 560.0}) {
       const auto r = solve(around({pulley(0, 0, 200), pulley(700, 300, d)}));
       NoTrace trace;
@@ -112,7 +112,7 @@ TEST_SUITE("belt course") {
     CHECK(in_si(r.pulleys[1].T) == doctest::Approx(0.0));
   }
 
-  TEST_CASE("with the least tension one pulley uses all of its friction, the others less") {
+  TEST_CASE("with the minimum tension one pulley uses all of its friction, the others less") {
     const auto r = solve(machine());
     double most = 0.0;
     for (const auto& p : r.pulleys) most = std::max(most, p.mu_req);
@@ -125,7 +125,7 @@ TEST_SUITE("belt course") {
     CHECK(solve(tighter).u_S < 0.5);
   }
 
-  TEST_CASE("a mirror and the other sense of rotation change no length, and scale does it in proportion") {
+  TEST_CASE("mirroring and reversed rotation change no length, and scaling changes it in proportion") {
     auto in = machine();
     const auto before = solve(in);
     for (Pulley& p : in.pulleys) p.x = -p.x;
@@ -135,7 +135,7 @@ TEST_SUITE("belt course") {
     CHECK(in_mm(solve(in).L) == doctest::Approx(3.0 * in_mm(before.L)).epsilon(1e-14));
   }
 
-  TEST_CASE("a roller moves until the belt has its length") {
+  TEST_CASE("a roller moves until the belt has its given length") {
     auto in = machine();
     in.pulleys[1].along = -0.5;
     for (const double L : {2330.0, 2400.0, 2500.0}) {
@@ -149,7 +149,7 @@ TEST_SUITE("belt course") {
     CHECK(std::abs(in_mm(solve(in).s)) < 1e-6);
   }
 
-  TEST_CASE("a pulley moves no farther than to the next one, and just to it where the belt asks for that") {
+  TEST_CASE("a pulley moves no farther than to the next one, and just to it where the belt needs that") {
     auto in = around({pulley(0.0, 0.0, 100.0), pulley(0.0, 500.0, 100.0)});
     in.pulleys[1].along = pi / 2.0;
     in.L = (2.0 * 100.12 + 100.0 * pi) * mm;  // the pulleys all but touch
@@ -159,7 +159,7 @@ TEST_SUITE("belt course") {
     CHECK(belt::Course::flaw_of(in).hint.text().find("from 514.159 mm") != std::string::npos);
   }
 
-  TEST_CASE("what the belt cannot do is told with the pulleys at fault") {
+  TEST_CASE("what the belt cannot do is reported with the pulleys at fault") {
     const auto says = [](const std::string& pulleys, const std::string& what) {
       const BeltStep step("calculator = \"belt.course\"\npulleys = [" + pulleys + "]\n");
       INFO(pulleys);
@@ -191,7 +191,7 @@ TEST_SUITE("belt course") {
     CHECK(BeltStep(replaced(text, "d = \"160 mm\"", "d = \"160 mm\", P = \"1 kW\"")).says("the first pulley drives"));
   }
 
-  TEST_CASE("without mu the tension is as given; too little of it is not covered") {
+  TEST_CASE("without mu the tension is as given; too small a tension is not covered") {
     const std::string loose = with(with(text, "mu", ""), "S_0", "\"600 N\"");
     CHECK(BeltStep(loose).worst() == account::State::pass);
     CHECK(BeltStep(with(text, "S_0", "\"100 N\"")).worst() == account::State::fail);

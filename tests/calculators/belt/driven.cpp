@@ -72,7 +72,7 @@ TEST_SUITE("belt driven pulley") {
     CHECK(BeltStep(flat + "i = 2.5\n").value("R") == BeltStep(flat + "d_2 = \"500 mm\"\n").value("R"));
   }
 
-  TEST_CASE("one of them is given, and the fix is told") {
+  TEST_CASE("only one of them may be given, and the error names the fix") {
     for (const std::string& step : {wedge, flat}) {
       const char* const fix = "give one of these: the driven pulley d_2, its speed n_2, the ratio i";
       CHECK(BeltStep(step).says(fix));
@@ -82,7 +82,7 @@ TEST_SUITE("belt driven pulley") {
     CHECK(BeltStep(pick + "a = \"600 mm\"\n").says("give either the speed n_2 of the driven pulley or the ratio i"));
   }
 
-  TEST_CASE("drives are picked by n_2 or i and a; wanted and actual values are told") {
+  TEST_CASE("drives are selected by n_2 or i and a; wanted and actual values are reported") {
     const BeltStep by_speed(pick + "n_2 = \"730 rpm\"\na = \"600 mm\"\n");
     const BeltStep by_ratio(pick + "i = 2\na_set = \"600 mm\"\n");
     const BeltStep as_before(pick + "basis = \"optibelt\"\nn_2_set = \"730 rpm\"\na_set = \"600 mm\"\n");
@@ -96,12 +96,12 @@ TEST_SUITE("belt driven pulley") {
     CHECK(by_speed.value("a") != 0.6);  // the result, not the wanted distance
   }
 
-  TEST_CASE("a word and the key that it stands for are the same input") {
+  TEST_CASE("a short form and the key that it stands for are the same input") {
     CHECK(BeltStep(pick + "n_2 = \"730 rpm\"\na = \"600 mm\"\na_set = \"600 mm\"\n")
               .says("'a' and 'a_set' are the same input give one of them"));
   }
 
-  TEST_CASE("without a basis the ratings are those with the most sections, and they are named") {
+  TEST_CASE("without a basis the ratings with the most sections apply, and they are named") {
     const BeltStep step(wedge + "d_2 = \"400 mm\"\n");
     REQUIRE(step.issues.empty());
     CHECK(step.value("P_all") == BeltStep(wedge + "basis = \"optibelt\"\nd_2 = \"400 mm\"\n").value("P_all"));

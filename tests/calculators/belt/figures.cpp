@@ -86,7 +86,7 @@ TEST_SUITE("belt figures") {
     }
   }
 
-  TEST_CASE("the tight span runs onto the pulley that drives, and pulls more; the shafts are drawn together") {
+  TEST_CASE("the tight span runs onto the driving pulley and has the larger pull; the shafts are pulled together") {
     const auto figure = figure_of(fan());
     const auto r = test::evaluated<belt::Flat>(fan());
     const auto& view = drawing_of(figure).views[0];
@@ -125,7 +125,7 @@ TEST_SUITE("belt figures") {
     }
   }
 
-  TEST_CASE("a belt around many pulleys: its own line, the wraps, the way of the tensioner") {
+  TEST_CASE("a belt around many pulleys: its own path, the wraps, the travel of the tensioner") {
     belt::Course::Input in;
     in.n_1 = 1450.0 * rpm, in.mu = 0.5, in.L = 2360.0 * mm;
     in.turns = belt::Course::Turns::cw;

@@ -53,7 +53,7 @@ sigma_adm = "6 MPa"
 }  // namespace
 
 TEST_SUITE("belt flat") {
-  TEST_CASE("at the least width with the least tension stress and friction are both at their limit") {
+  TEST_CASE("at the minimum width with the minimum tension, stress and friction are both at their limit") {
     for (const auto arrangement : {belt::Arrangement::open, belt::Arrangement::crossed}) {
       belt::Flat::Input in = fan();
       in.arrangement = arrangement;
@@ -65,7 +65,7 @@ TEST_SUITE("belt flat") {
     }
   }
 
-  TEST_CASE("tight and slack differ by the force carried over, and their sum is that of standstill on fixed centres") {
+  TEST_CASE("tight and slack side differ by the transmitted force, and add up to their sum at standstill") {
     belt::Flat::Input in = fan();
     in.b = 160.0 * mm;
     in.S_0 = 900.0 * N;
@@ -145,7 +145,7 @@ TEST_SUITE("belt flat") {
     CHECK(has(base + "h_P = \"0 mm\"\n", "a pivot on the line of centres"));
   }
 
-  TEST_CASE("the service factor acts once: forces and width rise by it") {
+  TEST_CASE("the service factor acts once: forces and width increase by it") {
     const auto one = solve(fan());
     belt::Flat::Input in = fan();
     in.K_A = 1.4;
@@ -155,14 +155,14 @@ TEST_SUITE("belt flat") {
     CHECK(rel(in_si(r.R / one.R), 1.4) < 1e-12);
   }
 
-  TEST_CASE("power and torque are two words for one load") {
+  TEST_CASE("power and torque are two ways to give one load") {
     belt::Flat::Input in = fan();
     in.P = unset<Power>;
     in.T_1 = 15e3 / (1450 * pi / 30) * N_m;
     CHECK(rel(in_si(solve(in).F_t), in_si(solve(fan()).F_t)) < 1e-12);
   }
 
-  TEST_CASE("slip slows the driven pulley and leaves the tensions alone") {
+  TEST_CASE("slip slows the driven pulley and does not change the tensions") {
     belt::Flat::Input in = fan();
     in.epsilon = 0.02;
     const auto r = solve(in), straight = solve(fan());
@@ -170,7 +170,7 @@ TEST_SUITE("belt flat") {
     CHECK(in_si(r.S_1) == in_si(straight.S_1));
   }
 
-  TEST_CASE("more friction, more wrap or less speed never ask for more width") {
+  TEST_CASE("more friction, more wrap or less speed never needs more width") {
     double last = 1e9;
     for (const double mu : {0.1, 0.2, 0.4, 0.8}) {
       belt::Flat::Input in = fan();
@@ -184,7 +184,7 @@ TEST_SUITE("belt flat") {
     CHECK(solve(crossed).b_min < solve(fan()).b_min);
   }
 
-  TEST_CASE("the power that a width carries is largest at v_opt") {
+  TEST_CASE("the power that a width transmits is largest at v_opt") {
     const auto at = [](double v) {
       belt::Flat::Input in = fan();
       in.n_1 = 2.0 * v * m_per_s / in.d_1;
@@ -198,7 +198,7 @@ TEST_SUITE("belt flat") {
     CHECK(at(v) > at(1.02 * v));
   }
 
-  TEST_CASE("the shaft load on equal pulleys is the sum of what presses them, along the line of centres") {
+  TEST_CASE("the shaft load on equal pulleys is the sum of the pulls, along the line of centres") {
     belt::Flat::Input in = fan();
     in.d_2 = in.d_1;
     const auto r = solve(in);
@@ -206,7 +206,7 @@ TEST_SUITE("belt flat") {
     CHECK(in_si(r.R_y) == 0.0);
   }
 
-  TEST_CASE("both shafts are drawn to their mates, by the larger pull of standstill and running") {
+  TEST_CASE("both shafts are pulled to each other by the larger pull of standstill and running") {
     belt::Flat::Input in = fan();
     in.b = 160.0 * mm, in.S_0 = 900.0 * N;
     const double gamma = std::asin(0.15 / 1.2);
@@ -226,21 +226,21 @@ TEST_SUITE("belt flat") {
     }
   }
 
-  TEST_CASE("the shaft load leans to the tight span of the smaller driving pulley, and away from it when crossed") {
+  TEST_CASE("the shaft load leans to the tight side of the smaller driving pulley, and away from it when crossed") {
     CHECK(solve(fan()).R_y > 0.0 * N);
     belt::Flat::Input in = fan();
     in.arrangement = belt::Arrangement::crossed;
     CHECK(solve(in).R_y < 0.0 * N);
   }
 
-  TEST_CASE("with torques about the driving pulley the tensions do the work: (S_1 - S_2) v is the design power") {
+  TEST_CASE("the torques about the driving pulley agree with the power: (S_1 - S_2) v is the design power") {
     belt::Flat::Input in = fan();
     in.K_A = 1.3;
     const auto r = solve(in);
     CHECK(rel(in_si((r.S_1 - r.S_2) * r.v), 1.3 * 15e3) < 1e-12);
   }
 
-  TEST_CASE("speeds outside of the range of its kind are not covered, on both sides") {
+  TEST_CASE("speeds outside the range of the belt type are not covered, on both sides") {
     CHECK(BeltStep(text).worst() == account::State::pass);
     CHECK(BeltStep(with(text, "n_1", "\"2900 rpm\"")).worst() == account::State::not_covered);
     CHECK(BeltStep(with(with(text, "n_1", "\"2900 rpm\""), "kind", "\"synthetic\"")).value("x_v") < 1.0);
@@ -248,14 +248,14 @@ TEST_SUITE("belt flat") {
     CHECK(BeltStep(with(text, "n_1", "\"470 rpm\"")).worst() != account::State::pass);
   }
 
-  TEST_CASE("where bending and centrifugal stress leave nothing there is no width, and that is said") {
+  TEST_CASE("where bending and centrifugal stress leave nothing there is no width, and the report says so") {
     const BeltStep fast(with(with(text, "b", ""), "sigma_adm", "\"0.2 MPa\""));
     CHECK(fast.worst() != account::State::pass);
     CHECK(std::isnan(fast.value("b_min")));
     CHECK(fast.value("sigma_N") < 0.0);
   }
 
-  TEST_CASE("an initial tension that the friction does not hold fails") {
+  TEST_CASE("an initial tension that is too low for the friction fails") {
     CHECK(BeltStep(with(text, "S_0", "\"300 N\"")).worst() == account::State::fail);
     CHECK(BeltStep(with(text, "S_0", "\"1200 N\"")).worst() == account::State::pass);
   }
@@ -275,7 +275,7 @@ TEST_SUITE("belt flat") {
     CHECK(BeltStep(with(text, "L_req", "\"1000 h\"")).says("needs the S-N curve of the belt"));
   }
 
-  TEST_CASE("a quarter-turn drive has the spans, wraps and forces of tangents found in space by another program") {
+  TEST_CASE("a quarter-turn drive has the spans, wraps and forces of tangents in space from an independent program") {
     belt::Flat::Input in = fan();
     in.arrangement = belt::Arrangement::quarter_turn;
     in.K_A = 1.2, in.a = 1500.0 * mm, in.b = 100.0 * mm;
@@ -300,7 +300,7 @@ TEST_SUITE("belt flat") {
     CHECK(rel(in_si(r.L), handbook) < 5e-4);
   }
 
-  TEST_CASE("what can be got wrong is told") {
+  TEST_CASE("wrong input is reported") {
     CHECK(BeltStep(with(text, "a", "")).says("give either the centre distance a or the belt length L"));
     CHECK(BeltStep(with(text, "L", "\"3500 mm\"")).says("give either the centre distance a or the belt length"));
     CHECK(BeltStep(with(text, "a", "\"300 mm\"")).says("the pulleys would touch: their centres are 300 mm apart"));

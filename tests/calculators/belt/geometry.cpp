@@ -24,7 +24,7 @@ using test::rel;
 }  // namespace
 
 TEST_SUITE("belt geometry") {
-  TEST_CASE("equal pulleys are wrapped half, by a belt of two centre distances and one circumference") {
+  TEST_CASE("equal pulleys have half a turn of wrap and a belt of two centre distances and one circumference") {
     const auto c = course(200, 200, 500);
     CHECK(c.alpha_1 == pi);
     CHECK(c.alpha_2 == pi);
@@ -45,7 +45,7 @@ TEST_SUITE("belt geometry") {
     }
   }
 
-  TEST_CASE("the centre distance of a length is that which gives the length") {
+  TEST_CASE("the centre distance found for a length gives back that length") {
     for (const Arrangement arrangement : {Arrangement::open, Arrangement::crossed}) {
       for (const double a : {311.0, 400.0, 700.0, 5000.0, 1e6}) {
         CAPTURE(a);
@@ -56,7 +56,7 @@ TEST_SUITE("belt geometry") {
     }
   }
 
-  TEST_CASE("the centre distance of a quarter-turn belt is that which gives its length") {
+  TEST_CASE("the centre distance found for a quarter-turn belt gives back its length") {
     for (const double a : {311.0, 400.0, 1500.0, 1e6}) {
       CAPTURE(a);
       belt::Flat::Result r;
@@ -69,7 +69,7 @@ TEST_SUITE("belt geometry") {
         belt::centre_of_length({100.0 * mm, 500.0 * mm, unset<Length>, 900.0 * mm, Arrangement::quarter_turn})));
   }
 
-  TEST_CASE("a length that no centre distance has gives none") {
+  TEST_CASE("a length that no centre distance gives has no result") {
     CHECK(!is_set(belt::centre_of_length({100.0 * mm, 500.0 * mm, unset<Length>, 900.0 * mm})));
     CHECK(!is_set(belt::centre_of_length({100.0 * mm, 100.0 * mm, unset<Length>, 300.0 * mm})));
     CHECK(!is_set(belt::centre_of_length({100.0 * mm, 100.0 * mm, unset<Length>, unset<Length>})));
@@ -82,13 +82,13 @@ TEST_SUITE("belt geometry") {
     CHECK(rel(in_si(belt::centre_of_length(longer) - belt::centre_of_length(pulleys)), 0.010) < 1e-12);
   }
 
-  TEST_CASE("the usual approximation of the length is met where the pulleys are far apart") {
+  TEST_CASE("the usual approximation of the length agrees where the pulleys are far apart") {
     const auto c = course(100, 300, 5000);
     const double d_1 = 0.1, d_2 = 0.3, a = 5.0;
     CHECK(rel(in_si(c.L), 2 * a + pi / 2 * (d_1 + d_2) + (d_2 - d_1) * (d_2 - d_1) / (4 * a)) < 1e-7);
   }
 
-  TEST_CASE("pulleys stand clear where their centres are more than half the sum of the diameters apart") {
+  TEST_CASE("pulleys are clear of each other where their centres are more than half the sum of the diameters apart") {
     CHECK(belt::stand_clear({100.0 * mm, 300.0 * mm, 201.0 * mm, unset<Length>}));
     CHECK(!belt::stand_clear({100.0 * mm, 300.0 * mm, 200.0 * mm, unset<Length>}));
     const Length touching = course(100, 300, 200).L;

@@ -67,7 +67,7 @@ P_R = "0.9 kW"
 }  // namespace
 
 TEST_SUITE("belt grooved") {
-  TEST_CASE("a drive of round belts computed by another program") {
+  TEST_CASE("a drive of round belts computed by an independent program") {
     const auto r = solve(rollers());
     CHECK(rel(r.m_e, 28.82828323436041) < 1e-12);
     CHECK(rel(in_si(r.S_N), 80.12188170760285) < 1e-12);
@@ -94,7 +94,7 @@ TEST_SUITE("belt grooved") {
     CHECK(rel(in_si(solve(in).S_0_min), 675.55) < 1e-3);
   }
 
-  TEST_CASE("a groove of 180 deg, and no groove, leave the friction as it is; narrower grooves hold more") {
+  TEST_CASE("a groove of 180 deg, and no groove, leave the friction unchanged; narrower grooves grip more") {
     auto in = rollers();
     in.phi = pi;
     CHECK(rel(solve(in).mu_w, 0.4) < 1e-12);
@@ -134,7 +134,7 @@ TEST_SUITE("belt grooved") {
     CHECK(solve(in).u_S == 1.0);
   }
 
-  TEST_CASE("shafts take all belts: two belts with half the tension load them as one") {
+  TEST_CASE("shafts carry all belts: two belts with half the tension load them like one") {
     auto in = rollers();
     in.rho = 1e-6 * kg_per_m3;
     const auto one = solve(in);
@@ -152,7 +152,7 @@ TEST_SUITE("belt grooved") {
     CHECK(BeltStep(with(ribbed, "P_R", "\"0.21 kW\"")).value("u_P") < 1.0);
   }
 
-  TEST_CASE("what contradicts or is missing is named with its remedy") {
+  TEST_CASE("contradictory or missing input is named with its remedy") {
     CHECK(BeltStep(with(text, "rho", "")).says("give the mass per length q, or d_b and rho of a round belt"));
     CHECK(BeltStep(with(text, "S_adm", "\"90 N\"")).says("give either S_adm or sigma_adm"));
     CHECK(BeltStep(with(with(text, "sigma_adm", ""), "E_b", "")).says("give the allowable tension S_adm"));

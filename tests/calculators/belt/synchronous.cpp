@@ -84,7 +84,7 @@ TEST_SUITE("belt synchronous") {
     }
   }
 
-  TEST_CASE("belts of one inch width carry what a manufacturer's tables of ZR belts state, within 5 %") {
+  TEST_CASE("belts of one inch width transmit what a manufacturer's tables of ZR belts state, within 5 %") {
     for (const auto& row : {std::pair{2, 624.0}, {3, 850.0}, {4, 1043.0}}) {
       const auto& section = sections[row.first];
       auto in = of(section);
@@ -94,7 +94,7 @@ TEST_SUITE("belt synchronous") {
     }
   }
 
-  TEST_CASE("a drive computed by another program, its centre distance by bisection") {
+  TEST_CASE("a drive computed by an independent program, its centre distance by bisection") {
     const auto r = solve(pump());
     CHECK(rel(r.z_0, 108.99765375358375) < 1e-12);
     CHECK(r.z_B == 109.0);
@@ -156,7 +156,7 @@ TEST_SUITE("belt synchronous") {
     CHECK(step.worst() == account::State::pass);
   }
 
-  TEST_CASE("what contradicts is named with its remedy") {
+  TEST_CASE("contradictory input is named with its remedy") {
     CHECK(BeltStep(with(text, "z_B", "109")).says("give either the centre distance a or the number of belt teeth z_B"));
     CHECK(BeltStep(with(text, "a", "\"120 mm\"")).says("the pulleys would touch"));
     CHECK(BeltStep(with(with(text, "a", ""), "z_B", "50")).says("give at least 51"));

@@ -81,7 +81,7 @@ struct Printed {
 }  // namespace
 
 TEST_SUITE("belt v") {
-  TEST_CASE("rated powers are those printed by GOST 1284.3-96, tables 12 to 17") {
+  TEST_CASE("rated powers are those printed in GOST 1284.3-96, tables 12 to 17") {
     for (const Printed& row : {Printed{"Z", 80, 1450, 1, 0.84},
                                {"Z", 112, 2850, 3, 2.77},
                                {"A", 100, 1450, 1, 2.02},
@@ -106,7 +106,7 @@ TEST_SUITE("belt v") {
     }
   }
 
-  TEST_CASE("rated powers are those printed by the maker at 700/min") {
+  TEST_CASE("rated powers are those printed by the manufacturer at 700/min") {
     for (const Printed& row : {Printed{"SPZ", 63, 700, 1, 0.50},
                                {"SPZ", 100, 700, 1, 1.33},
                                {"SPZ", 200, 700, 1, 3.47},
@@ -131,7 +131,7 @@ TEST_SUITE("belt v") {
     }
   }
 
-  TEST_CASE("a drive of each basis, computed by another program from the printed factors") {
+  TEST_CASE("a drive of each basis, computed by an independent program from the printed factors") {
     const auto a = solve(wedge());
     CHECK(rel(in_si(a.a), 0.8478570162) < 1e-9);
     CHECK(rel(kW_of(a.P_N), 13.79835070) < 1e-8);
@@ -156,7 +156,7 @@ TEST_SUITE("belt v") {
     CHECK(rel(in_si(b.Delta_1), 0.036) < 1e-12);
   }
 
-  TEST_CASE("both shafts are drawn to their mates by the largest pull, that of new belts") {
+  TEST_CASE("both shafts are pulled to each other by the largest pull, that of new belts") {
     const auto a = solve(wedge());
     // From the values of the other program above: 2 z 1.3 F_0 cos(gamma), sin(gamma) = 100 mm/a.
     const double pull = 2 * 3 * 1.3 * 452.7065386 * std::sqrt(1.0 - std::pow(0.1 / 0.8478570162, 2));
@@ -173,7 +173,7 @@ TEST_SUITE("belt v") {
     }
   }
 
-  TEST_CASE("on equal pulleys the grip is Euler's with the wedge friction of half a turn") {
+  TEST_CASE("on equal pulleys the friction is Euler's with the wedge friction of half a turn") {
     belt::V::Input in = wedge();
     in.d_2 = in.d_1, in.mu = 0.3;
     const auto r = solve(in);
@@ -182,7 +182,7 @@ TEST_SUITE("belt v") {
     CHECK(rel(r.u_grip, 0.5 * F_t * (ratio + 1.0) / (ratio - 1.0) / N_0) < 1e-10);
   }
 
-  TEST_CASE("a new belt is tensioned to 1.3 times, and everything that measures the tension follows") {
+  TEST_CASE("a new belt is tensioned to 1.3 times, and every measure of the tension follows") {
     const auto wedge_belt = solve(wedge()), classical_belt = solve(classical());
     for (const auto& r : {wedge_belt, classical_belt}) {
       CHECK(rel(in_si(r.F_0_new), 1.3 * in_si(r.F_0)) < 1e-12);
@@ -226,7 +226,7 @@ TEST_SUITE("belt v") {
     CHECK(rel(in_si(solve(in).F_0), in_si(one.F_0)) < 1e-12);
   }
 
-  TEST_CASE("the number of belts is the least that passes") {
+  TEST_CASE("the number of belts is the smallest that passes") {
     for (const belt::V::Input& drive : {wedge(), classical()}) {
       belt::V::Input in = drive;
       const auto z = static_cast<int>(solve(in).z);
@@ -236,7 +236,7 @@ TEST_SUITE("belt v") {
     }
   }
 
-  TEST_CASE("the count factor belongs to one basis alone, and its high end never asks for more belts") {
+  TEST_CASE("the count factor belongs to one basis only, and its high end never needs more belts") {
     CHECK(solve(wedge()).C_K == 1.0);
     belt::V::Input in = classical();
     CHECK(solve(in).C_K == 0.77);
@@ -244,7 +244,7 @@ TEST_SUITE("belt v") {
     CHECK(solve(in).z <= solve(classical()).z);
   }
 
-  TEST_CASE("service factors of the maker by load, motor and hours") {
+  TEST_CASE("service factors of the manufacturer by load, motor and hours") {
     const std::string by_duty =
         with(with(maker, "K_A", ""), "duty", "\"heavy\"") + "motor = \"high\"\nh_day = \"12 h\"\n";
     CHECK(BeltStep(by_duty).value("K_A") == 1.5);
@@ -252,7 +252,7 @@ TEST_SUITE("belt v") {
     CHECK(BeltStep(with(by_duty, "h_day", "\"16.1 h\"")).value("K_A") == 1.6);
   }
 
-  TEST_CASE("grip follows Euler's condition with the groove of the actual pulley") {
+  TEST_CASE("traction follows Euler's condition with the groove of the actual pulley") {
     belt::V::Input in = classical();
     in.d_1 = in.d_2 = 180.0 * mm;  // groove of 34 degrees
     in.mu = 0.3;
@@ -266,7 +266,7 @@ TEST_SUITE("belt v") {
     CHECK(rel(solve(in).phi_1, 38 * pi / 180) < 1e-12);
   }
 
-  TEST_CASE("a tensioner with a constant force needs no centrifugal part at standstill, and the span turns alike") {
+  TEST_CASE("a tensioner with constant force needs no centrifugal part at standstill; the frequency is the same") {
     belt::V::Input in = wedge();
     const auto fixed = solve(in);
     in.tensioning = belt::V::Tensioning::constant_force;
@@ -275,7 +275,7 @@ TEST_SUITE("belt v") {
     CHECK(in_si(pulled.S_1) == in_si(fixed.S_1));
   }
 
-  TEST_CASE("the test force and the frequency agree: both come from the tension") {
+  TEST_CASE("the test force and the frequency agree: both follow from the tension") {
     const auto r = solve(wedge());
     const double m = in_si(r.F_c) / (in_si(r.v) * in_si(r.v));
     CHECK(rel(4 * m * std::pow(in_si(r.l_s) * in_si(r.f_s), 2), in_si(r.F_0)) < 1e-12);
@@ -284,7 +284,7 @@ TEST_SUITE("belt v") {
     CHECK(rel(in_si(r.R_new / r.R_0), 1.3) < 1e-12);
   }
 
-  TEST_CASE("a drive that speeds up is rated by its smaller, driven pulley") {
+  TEST_CASE("a speed-up drive is rated by its smaller, driven pulley") {
     belt::V::Input in = classical();
     std::swap(in.d_1, in.d_2);
     in.n_1 = 720.0 * rpm;
@@ -293,7 +293,7 @@ TEST_SUITE("belt v") {
     CHECK(up.n_2 > in.n_1);
   }
 
-  TEST_CASE("one belt more carries less than its full share") {
+  TEST_CASE("one more belt carries less than its full share") {
     for (int z = 2; z < 9; ++z) {
       belt::V::Input in = classical();
       in.z = z;
@@ -302,7 +302,7 @@ TEST_SUITE("belt v") {
     }
   }
 
-  TEST_CASE("outside of what the basis rates nothing is covered, on both sides") {
+  TEST_CASE("nothing outside the range of the basis is covered, on both sides") {
     CHECK(BeltStep(text).worst() == account::State::pass);
     CHECK(BeltStep(maker).worst() == account::State::pass);
     const auto with_pulley = [&](const char* d) {
@@ -326,7 +326,7 @@ TEST_SUITE("belt v") {
           1e-12);
   }
 
-  TEST_CASE("what can be got wrong is told, and no basis is mixed with another") {
+  TEST_CASE("wrong input is reported, and bases are not mixed") {
     CHECK(BeltStep(with(text, "basis", "")).says("the belt class requires the basis iso"));
     CHECK(BeltStep(with(text, "basis", "")).issues.size() == 1);
     CHECK(BeltStep(with(text, "basis", "\"din\"")).says("optibelt"));
@@ -347,7 +347,7 @@ TEST_SUITE("belt v") {
     CHECK(!BeltStep(with(text, "h_day", "\"25 h\"")).issues.empty());
   }
 
-  TEST_CASE("a drive that cannot carry the power says so") {
+  TEST_CASE("a drive that cannot transmit the power is reported so") {
     const BeltStep weak(with(text, "z", "1"));
     CHECK(weak.worst() == account::State::fail);
     CHECK(weak.value("u_P") > 1.0);

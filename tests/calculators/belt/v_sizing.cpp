@@ -38,7 +38,7 @@ a_set = "600 mm"
 }  // namespace
 
 TEST_SUITE("belt v sizing") {
-  TEST_CASE("every drive of the list keeps to what was asked for") {
+  TEST_CASE("every drive of the list meets the requirements") {
     const auto in = fan();
     const auto r = solve(in);
     REQUIRE(r.candidates.size() > 3);
@@ -52,7 +52,7 @@ TEST_SUITE("belt v sizing") {
     CHECK(r.tried == r.drives + r.too_weak + r.outside);
   }
 
-  TEST_CASE("the list is ranked, and says how much worse each is and what it does better") {
+  TEST_CASE("the list is ranked, and states how much worse each is and in what it is better") {
     for (const auto rank :
          {belt::VSizing::Rank::pulleys, belt::VSizing::Rank::shaft_load, belt::VSizing::Rank::width}) {
       auto in = fan();
@@ -68,7 +68,7 @@ TEST_SUITE("belt v sizing") {
     }
   }
 
-  TEST_CASE("the first is what belt.v says of it") {
+  TEST_CASE("the first is as belt.v assesses it") {
     const auto in = fan();
     const auto r = solve(in);
     belt::V::Input drive;
@@ -84,7 +84,7 @@ TEST_SUITE("belt v sizing") {
     CHECK(in_si(r.candidates[0].R_new) == in_si(r.R_new));
   }
 
-  TEST_CASE("a narrower question never finds more") {
+  TEST_CASE("narrower requirements never find more") {
     const double all = solve(fan()).drives;
     auto in = fan();
     in.section = "SPA";
@@ -100,7 +100,7 @@ TEST_SUITE("belt v sizing") {
     for (const auto& c : solve(in).candidates) CHECK(max(c.d_1, c.d_2) <= 300.0 * mm);
   }
 
-  TEST_CASE("a drive that speeds up is found as well") {
+  TEST_CASE("speed-up drives are found, too") {
     auto in = fan();
     in.n_1 = 730.0 * rpm, in.n_2_set = 1460.0 * rpm;
     const auto r = solve(in);
@@ -108,7 +108,7 @@ TEST_SUITE("belt v sizing") {
     CHECK(r.d_1 > r.d_2);
   }
 
-  TEST_CASE("where nothing can be bought that is said, with the drive that comes nearest and its checks") {
+  TEST_CASE("if no drive can be bought, that is reported with the nearest drive and its checks") {
     const BeltStep none(with(text, "P", "\"2000 kW\""));
     CHECK(none.worst() != account::State::pass);
     CHECK(none.value("drives") == 0.0);
@@ -126,7 +126,7 @@ TEST_SUITE("belt v sizing") {
     CHECK(far.value("tried") == 0.0);
   }
 
-  TEST_CASE("where no drive passes all that is shown is of one drive: that of the most belts that are allowed") {
+  TEST_CASE("if no drive passes, all that is shown belongs to one drive: that with the most belts allowed") {
     auto in = fan();
     in.P = 300e3 * W;
     const auto r = solve(in);
@@ -147,7 +147,7 @@ TEST_SUITE("belt v sizing") {
     CHECK(in_si(r.R_0) == doctest::Approx(2.0 * 8.0 * in_si(r.F_0) * std::sqrt(1.0 - sin_gamma * sin_gamma)));
   }
 
-  TEST_CASE("that no drive passes is a failure") {
+  TEST_CASE("no passing drive is a failure") {
     const BeltStep none(with(text, "P", "\"2000 kW\""));
     const auto verdicts = project::verdicts(none.project);
     const auto drives =
@@ -156,7 +156,7 @@ TEST_SUITE("belt v sizing") {
     CHECK(drives->state == account::State::fail);
   }
 
-  TEST_CASE("the rules of belt.v hold here too") {
+  TEST_CASE("the rules of belt.v apply here, too") {
     CHECK(BeltStep(text).worst() == account::State::pass);
     CHECK(BeltStep(with(text, "basis", "")).says("the belt class requires the basis iso"));
     CHECK(BeltStep(with(text, "section", "\"XYZ\"")).says("does not rate a section 'XYZ'"));

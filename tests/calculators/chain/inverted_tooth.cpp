@@ -52,7 +52,7 @@ bool says(const std::string& lines, const std::string& part) {
 }  // namespace
 
 TEST_SUITE("inverted-tooth chain") {
-  TEST_CASE("pitch diameters of the list of a maker, 1 inch pitch, [PEER-80]") {
+  TEST_CASE("pitch diameters of a manufacturer's list, 1 inch pitch, [PEER-80]") {
     chain::InvertedTooth::Input in = blower();
     in.p = 25.4 * mm, in.a = 1500.0 * mm;
     for (const auto& row : {std::pair{20, 6.392}, {21, 6.710}, {25, 7.979}, {30, 9.567}, {35, 11.156}}) {
@@ -62,7 +62,7 @@ TEST_SUITE("inverted-tooth chain") {
     }
   }
 
-  TEST_CASE("the chain length is that of the formula of a maker, [Ramsey], but for its series") {
+  TEST_CASE("the chain length is that of a manufacturer's formula, [Ramsey], but for its series") {
     for (const auto& [C, z_1, z_2] : {std::tuple{40.0, 21, 42}, {40.0, 21, 57}, {60.0, 25, 100}}) {
       chain::InvertedTooth::Input in = blower();
       in.z_1 = z_1, in.z_2 = z_2, in.a = C * in.p;
@@ -100,7 +100,7 @@ TEST_SUITE("inverted-tooth chain") {
     CHECK(r.shaft_2.F_x == r.F_W);
   }
 
-  TEST_CASE("without mass, breaking load and rating only geometry, pull and speeds result") {
+  TEST_CASE("without mass, breaking load and rating, only geometry, pull and speeds result") {
     chain::InvertedTooth::Input in = blower();
     in.q = unset<LineDensity>, in.F_u = unset<Force>, in.S_min = unset<double>, in.P_b = unset<Power>;
     const auto r = solve(in);

@@ -90,7 +90,7 @@ TEST_SUITE("roller chain") {
     CHECK(shock.S_dyn < one.S_dyn);
   }
 
-  TEST_CASE("both shafts are drawn to their mates, with the torque of each") {
+  TEST_CASE("both shafts are pulled to each other, with the torque of each") {
     chain::Roller::Input in = conveyor();
     in.K_A = 1.5;
     const auto r = solve(in);
@@ -102,7 +102,7 @@ TEST_SUITE("roller chain") {
     CHECK(rel(in_si(r.shaft_2.T), 1.5 * 3000 / (96 * pi / 30) * 57 / 21) < 1e-12);
   }
 
-  TEST_CASE("two editions of ISO 606 differ by 42 % for 16B, and the field says which is meant") {
+  TEST_CASE("two editions of ISO 606 differ by 42 % for 16B, and the field states which is meant") {
     chain::Roller::Input in = conveyor();
     const auto maker = solve(in);
     in.edition = chain::Roller::Edition::iso606_1994;
@@ -117,7 +117,7 @@ TEST_SUITE("roller chain") {
     CHECK(rel(solve(in).v_share, 0.5) < 1e-12);
   }
 
-  TEST_CASE("twice the strands bear twice the load at half the pressure") {
+  TEST_CASE("twice the strands carry twice the load at half the pressure") {
     chain::Roller::Input in = conveyor();
     const auto one = solve(in);
     in.strands = 2;
@@ -150,7 +150,7 @@ TEST_SUITE("roller chain") {
     CHECK(rel(in_si(solve(in).g_s), 262.9677092938458e-3) < 1e-9);
   }
 
-  TEST_CASE("what a user can get wrong is told") {
+  TEST_CASE("wrong input is reported") {
     says("a = \"1 m\"\n", "give the pitch p, or a chain");
     says("p = \"25.4 mm\"\n", "either the centre distance a or the number of links X");
     says("p = \"25.4 mm\"\na = \"1 m\"\nX = 120\n", "either the centre distance a or the number of links X");

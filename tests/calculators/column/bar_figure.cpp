@@ -46,7 +46,7 @@ double area_of(const std::vector<Point>& outline) {
 }  // namespace
 
 TEST_SUITE("column bar figure") {
-  TEST_CASE("every case of the ends has its signs, the upper one lets the load come down") {
+  TEST_CASE("every end condition has its symbols, and the upper end lets the load move down") {
     const struct {
       Ends ends;
       std::vector<Sign> signs;
@@ -65,7 +65,7 @@ TEST_SUITE("column bar figure") {
     }
   }
 
-  TEST_CASE("the shape starts and ends where its supports are, and passes those between") {
+  TEST_CASE("the buckled shape starts and ends at its supports, and passes through those between") {
     Input in = rod(Ends::pinned_pinned);
     in.supports_y.push_back({300.0 * mm});
     const auto figure = figure_of(in);
@@ -101,7 +101,7 @@ TEST_SUITE("column bar figure") {
     CHECK_FALSE(draw::is_to_scale(figure_of(in)));
   }
 
-  TEST_CASE("no shape where a factor stands for the ends") {
+  TEST_CASE("no buckled shape is drawn where a factor replaces the ends") {
     Input in = rod(Ends::unsaid);
     in.beta_y = 0.7, in.beta_z = 1.3;
     for (const auto& figure : column::Buckling::figures(in, test::evaluated<column::Buckling>(in)))

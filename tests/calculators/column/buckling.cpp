@@ -47,7 +47,7 @@ TEST_SUITE("column buckling") {
     }
   }
 
-  TEST_CASE("Euler is no answer where the bar would yield: 221 MPa by Tetmajer, not 341") {
+  TEST_CASE("Euler does not apply where the bar would yield: 221 MPa by Tetmajer, not 341") {
     column::Buckling::Input in = bar_of_steel(Ends::fixed_fixed);
     in.method = Method::euler;
     const column::Buckling::Result r = solve(in);
@@ -58,7 +58,7 @@ TEST_SUITE("column buckling") {
     CHECK(rel(in_si(by(r, "tetmajer").P_cr), 530.75e3) < 1e-5);
   }
 
-  TEST_CASE("from stocky to slender no method rises, jumps or passes the yield strength") {
+  TEST_CASE("from stocky to slender no method rises, jumps or exceeds the yield strength") {
     column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.curve_y = in.curve_z = column::Curve::b;
     in.e_y = 0.1 * mm;
@@ -78,7 +78,7 @@ TEST_SUITE("column buckling") {
     }
   }
 
-  TEST_CASE("each set of the table goes over to Euler where the two meet") {
+  TEST_CASE("each set of the table changes to Euler where the two meet") {
     struct Row {
       const char* set;
       double lambda;
@@ -104,7 +104,7 @@ TEST_SUITE("column buckling") {
     CHECK(column::set_meets_euler(bar_of_steel(Ends::pinned_pinned)));
   }
 
-  TEST_CASE("the published transition keeps its gap, and the gap is told") {
+  TEST_CASE("the published transition keeps its gap, and the gap is reported") {
     column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.transition = column::Transition::published;
     CHECK(rel(stress(in, 105.0, "tetmajer"), 310.0 - 1.14 * 105.0) < 1e-12);
@@ -174,7 +174,7 @@ TEST_SUITE("column buckling") {
     CHECK(solve(in).r_class > 1.0);
   }
 
-  TEST_CASE("a round tube of no said kind is judged by its diameter over its wall") {
+  TEST_CASE("a round tube of unstated kind is assessed by its diameter over its wall") {
     column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.b = in.h = unset<Length>;
     in.d = 200.0 * mm, in.d_bore = 196.0 * mm;
@@ -183,7 +183,7 @@ TEST_SUITE("column buckling") {
     CHECK(solve(in).r_class == 0.0);
   }
 
-  TEST_CASE("the extreme fibre is half the side only where the section is symmetric") {
+  TEST_CASE("the extreme fibre is at half the side only where the section is symmetric") {
     const std::string bar =
         "calculator = \"column.buckling\"\nl = \"2 m\"\nends = \"pinned_pinned\"\nE = \"210 GPa\"\n"
         "R_e = \"235 MPa\"\nmethod = \"secant\"\n";
@@ -234,7 +234,7 @@ TEST_SUITE("column buckling") {
     CHECK(rel(by(once, "aisc").u, 20e3 * 1.67 / in_si(by(once, "aisc").P_cr)) < 1e-12);
   }
 
-  TEST_CASE("N is positive in tension: a bar that is pulled does not buckle") {
+  TEST_CASE("N is positive in tension: a bar in tension does not buckle") {
     column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.N = -20.0 * kN;
     CHECK(solve(in).loading == column::Loading::compression);
@@ -244,7 +244,7 @@ TEST_SUITE("column buckling") {
     CHECK(solve(in).u == 0.0);
   }
 
-  TEST_CASE("in tension the plain stress is held against the yield strength") {
+  TEST_CASE("in tension the plain stress is compared with the yield strength") {
     column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.N = 564.0 * kN;  // 40 mm by 60 mm times 235 MPa
     CHECK(rel(solve(in).x_t, 1.0) < 1e-12);
@@ -256,7 +256,7 @@ TEST_SUITE("column buckling") {
     CHECK(std::isnan(solve(in).x_t));
   }
 
-  TEST_CASE("twice the length of the whole bar: the same slenderness and stress at four times the load") {
+  TEST_CASE("twice the length of the full bar: the same slenderness and stress at four times the load") {
     column::Buckling::Input in = bar_of_steel(Ends::fixed_pinned);
     column::Buckling::Input twice = in;
     twice.l *= 2.0, twice.b *= 2.0, twice.h *= 2.0;
@@ -279,7 +279,7 @@ TEST_SUITE("column buckling") {
     CHECK(rel(solve(in).axes[0].beta, 1.0) < 1e-12);
   }
 
-  TEST_CASE("of an angle the weak principal axis counts") {
+  TEST_CASE("the weak principal axis of an angle governs") {
     column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.b = in.h = unset<Length>;
     in.A = from_si<Area>(1.92e-3);

@@ -22,11 +22,11 @@ bool says(const std::string& lines, std::string_view words) {
 }  // namespace
 
 TEST_SUITE("column buckling faults") {
-  TEST_CASE("what is right says nothing") {
+  TEST_CASE("correct input gives no message") {
     CHECK(complaints(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nn_st = 2\nP = \"10 kN\"\n").empty());
   }
 
-  TEST_CASE("force, section and ends are given once and whole") {
+  TEST_CASE("force, section and ends are given once and completely") {
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\nN = \"-1 kN\"\n",
          "give the force as N, positive in tension, or as P, positive in compression, not both");
     says(rod + "method = \"johnson\"\n", "the section is not given");
@@ -66,7 +66,7 @@ TEST_SUITE("column buckling faults") {
          "beta_basis = \"exact\"");
   }
 
-  TEST_CASE("a method says what it lacks") {
+  TEST_CASE("a method names the input that is missing") {
     says(rod + "d = \"40 mm\"\nmethod = \"euler\"\n", "the method 'euler' needs the proportional limit sigma_P");
     says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\n", "the method 'tetmajer' needs a Tetmajer set");
     says(rod + "d = \"40 mm\"\nmethod = \"secant\"\n", "the method 'secant' needs the eccentricity e_y or e_z");
@@ -80,7 +80,7 @@ TEST_SUITE("column buckling faults") {
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\n", "needs the required buckling safety factor n_st");
   }
 
-  TEST_CASE("where no method is named, what is missing is told in a line, and one alternative") {
+  TEST_CASE("where no method is named, missing input is reported in one line with one alternative") {
     column::Buckling::Input in = bar_of_steel(column::Ends::pinned_pinned);
     in.a_T = in.b_T = unset<Stress>, in.n_st = unset<double>, in.P = 10.0 * kN;
     const FieldFault safety = column::Buckling::missing_for_method(in);
@@ -95,21 +95,21 @@ TEST_SUITE("column buckling faults") {
     CHECK(column::Buckling::missing_for_method(in).hint.empty());
   }
 
-  TEST_CASE("a code of steel judges nothing else") {
+  TEST_CASE("a steel code assesses no other material") {
     const std::string iron = rod + "d = \"40 mm\"\nkind = \"solid\"\nmaterial_class = \"cast_iron\"\n";
     says(iron + "method = \"aisc\"\n", "the method 'aisc' is for steel, not for material_class = \"cast_iron\"");
     says(iron + "method = \"ec3\"\n", "the method 'ec3' is for steel");
     CHECK(complaints(rod + "d = \"40 mm\"\nmaterial_class = \"cast_iron\"\nmethod = \"johnson\"\n").empty());
   }
 
-  TEST_CASE("an eccentricity has one axis and a fibre") {
+  TEST_CASE("an eccentricity has one axis and one fibre") {
     const std::string rolled = rod + "A = \"10 cm^2\"\ni_y = \"30 mm\"\ni_z = \"30 mm\"\nmethod = \"secant\"\n";
     says(rolled + "e_y = \"5 mm\"\n", "an eccentricity or a bow needs the distance of the extreme fibre");
     says(rolled + "e_y = \"5 mm\"\ne_z = \"5 mm\"\nc_y = \"50 mm\"\nc_z = \"50 mm\"\n",
          "the secant formula covers an eccentricity or a bow about one axis only");
   }
 
-  TEST_CASE("a set of another material is refused; within a material the modulus is warned of") {
+  TEST_CASE("the set of another material is refused; a deviating modulus of the same material is reported") {
     const std::string made = rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\nP = \"1 kN\"\nn_st = 5\n";
     const std::string iron = made + "tetmajer = \"grey_iron\"\n";
     const std::string near = made + "a_T = \"310 MPa\"\nb_T = \"1.14 MPa\"\nE_T = \"190 GPa\"\n";
@@ -122,7 +122,7 @@ TEST_SUITE("column buckling faults") {
     CHECK(has_errors(issues));
   }
 
-  TEST_CASE("customs are warned of, and the bar is computed all the same") {
+  TEST_CASE("departures from common practice give a warning, and the bar is still computed") {
     const std::string made = rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\nP = \"1 kN\"\n";
     CHECK(complaints(made + "tetmajer = \"St37\"\nn_st = 2\nmaterial_class = \"steel\"\n").empty());
     says(made + "tetmajer = \"St37\"\nn_st = 1.6\nmaterial_class = \"steel\"\n",
@@ -137,7 +137,7 @@ TEST_SUITE("column buckling faults") {
     CHECK(p.value("bar.u") != nullptr);
   }
 
-  TEST_CASE("a set that does not exist is told with the nearest") {
+  TEST_CASE("a set that does not exist is reported with the nearest") {
     says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\ntetmajer = \"St38\"\n", "no tetmajer 'St38' in the tables");
   }
 
@@ -161,7 +161,7 @@ TEST_SUITE("column buckling faults") {
     CHECK(rel(p.value("bar.sigma_cr")->si[0], (776.0 - 12.0 * 60.0 + 0.053 * 3600.0) * 1e6) < 1e-9);
   }
 
-  TEST_CASE("a link of a mechanism is a column: its force over the turn, tension positive") {
+  TEST_CASE("a link of a mechanism is a column: its force over the revolution, tension positive") {
     const std::string link = "[bar]\n" + rod + "d = \"40 mm\"\nmethod = \"johnson\"\nn_st = 2\n";
     std::vector<Issue> issues;
     CHECK(solved(link + "N = \"5 kN\"\n", issues).value("bar.u")->si[0] == 0.0);

@@ -42,7 +42,7 @@ std::string note_of(const project::Project& p, std::string_view id) {
 TEST_SUITE("column default method") {
   // HEA 160: A 3877 mm^2, i_z = sqrt(615.6e4/3877) = 39.85 mm, lambda 75.29, lambda_bar = 75.29/93.91 = 0.8017, curve
   // c: Phi = 0.5 (1 + 0.49*0.6017 + 0.6427) = 0.9687, chi = 0.6611, N_b,Rd = 0.6611*3877*235/1.0 = 602.3 kN.
-  TEST_CASE("a section of the tables in steel goes by EN 1993-1-1 with factors that are named as assumed") {
+  TEST_CASE("a section of the tables in steel is assessed by EN 1993-1-1 with factors that are named as assumed") {
     std::vector<Issue> issues;
     const project::Project p = solved("[bar]\n" + post + "P = \"100 kN\"\n", issues);
     REQUIRE(issues.size() == 1);
@@ -65,7 +65,7 @@ TEST_SUITE("column default method") {
     CHECK(complaints(post + "N = \"100 kN\"\nn_t = 1.5\ngamma_F = 1.35\n").empty());
   }
 
-  TEST_CASE("a section of the tables without a steel grade asks for it") {
+  TEST_CASE("a section of the tables without a steel grade needs one") {
     const std::string bare =
         "calculator = \"column.buckling\"\nl = \"3 m\"\nends = \"pinned_pinned\"\nsection = \"HEA 160\"\n"
         "P = \"100 kN\"\nE = \"210 GPa\"\n";
@@ -74,7 +74,7 @@ TEST_SUITE("column default method") {
 
   // lambda_J = sqrt(2 pi^2 210000/355) = 108.06 (Shigley, the transition of Euler and Johnson). d = 40 mm: lambda =
   // 100, sigma = 355 (1 - 355*100^2/(4 pi^2 210000)) = 203.0 MPa; d = 30 mm: lambda = 133.3, Euler 116.6 MPa.
-  TEST_CASE("a plain bar goes by Johnson's parabola when stocky, by Euler when slender, and the trace says so") {
+  TEST_CASE("a plain bar goes by Johnson's parabola when stocky, by Euler when slender, and the trace shows it") {
     std::vector<Issue> issues;
     const project::Project stocky = solved("[bar]\n" + rod + "R_e = \"355 MPa\"\nn_st = 3\nd = \"40 mm\"\n", issues);
     const project::Project slender = solved("[bar]\n" + rod + "R_e = \"355 MPa\"\nn_st = 3\nd = \"30 mm\"\n", issues);
@@ -94,7 +94,7 @@ TEST_SUITE("column default method") {
     CHECK(number(p, "bar.d") == doctest::Approx(0.028));
   }
 
-  TEST_CASE("what is missing is told in a line, of a bar whose size is searched for too") {
+  TEST_CASE("missing input is reported in one line, also where the size is searched for") {
     for (const char* size : {"d = \"?\"\n", "d = \"40 mm\"\n", "h = \"40 mm\"\nb = \"40 mm\"\n"}) {
       CHECK(complaints(rod + size)
                 .find("give the yield strength R_e, or a material, and the required buckling safety factor n_st\n") !=
@@ -104,7 +104,7 @@ TEST_SUITE("column default method") {
     }
   }
 
-  TEST_CASE("the constants of a set go by Tetmajer, a proportional limit alone by Euler") {
+  TEST_CASE("constants of a set mean Tetmajer, a proportional limit alone means Euler") {
     column::Buckling::Input in = bar_of_steel(column::Ends::pinned_pinned);
     in.P = 10.0 * kN;
     CHECK(rel(solve(in).sigma_cr, by(solve(in), "tetmajer").sigma_cr) < 1e-12);
@@ -114,7 +114,7 @@ TEST_SUITE("column default method") {
     CHECK(rel(solve(in).sigma_cr, by(solve(in), "euler").sigma_cr) < 1e-12);
   }
 
-  TEST_CASE("slenderness needs length, section and ends, and shows nothing of a force") {
+  TEST_CASE("slenderness needs length, section and ends, and shows no force") {
     std::vector<Issue> issues;
     const project::Project p = solved(
         "[bar]\ncalculator = \"column.buckling\"\nl = \"1 m\"\nd = \"20 mm\"\nends = \"pinned_pinned\"\n", issues);
@@ -124,7 +124,7 @@ TEST_SUITE("column default method") {
     CHECK(why_of(p, "", "spread").empty());
   }
 
-  TEST_CASE("the lightest section is found by EN 1993-1-1 where no method is named") {
+  TEST_CASE("without a method the lightest section is found by EN 1993-1-1") {
     std::vector<Issue> issues;
     const std::string lightest =
         "[bar]\ncalculator = \"column.lightest\"\nfamilies = [\"HEA\"]\nP = \"600 kN\"\nl = \"3 m\"\n"

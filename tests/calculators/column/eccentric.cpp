@@ -64,7 +64,7 @@ TEST_SUITE("column eccentric") {
     CHECK(rel(in_si(solve(offset_bar(0.0, 0.0, 60.0)).sigma_max), 60e3 / 2.4e-3) < 1e-12);
   }
 
-  TEST_CASE("at the force times the safety the extreme fibre yields, and the secant method allows no more") {
+  TEST_CASE("at the force times the safety factor the extreme fibre yields, and the secant method allows no more") {
     for (const double e_0 : {0.0, 3.0}) {
       const column::Buckling::Result r = solve(offset_bar(4.0, e_0, 30.0));
       const column::Buckling::Result at_yield = solve(offset_bar(4.0, e_0, 30.0 * r.n_e));
@@ -74,14 +74,14 @@ TEST_SUITE("column eccentric") {
     }
   }
 
-  TEST_CASE("a bow alone is Perry's equation") {
+  TEST_CASE("an initial bow alone is Perry's equation") {
     const column::Buckling::Result r = solve(offset_bar(0.0, 5.0, 30.0));
     const column::AxisResult& y = r.axes[0];
     const double euler = in_si(y.N_cr) / 2.4e-3, yield = 235e6, sum = yield + (1.0 + y.eta_0) * euler;
     CHECK(rel(in_si(y.sigma_s), 0.5 * (sum - std::sqrt(sum * sum - 4.0 * yield * euler))) < 1e-9);
   }
 
-  TEST_CASE("deflection and stress only rise with the force, and end at the critical force of either axis") {
+  TEST_CASE("deflection and stress only increase with the force, and end at the critical force of either axis") {
     double before = 0.0;
     const double critical = in_si(solve(offset_bar(4.0, 3.0, 1.0)).N_cr) / 1e3;
     for (const double x : {0.01, 0.3, 0.6, 0.9, 0.999}) {
@@ -98,7 +98,7 @@ TEST_SUITE("column eccentric") {
     }
   }
 
-  TEST_CASE("in tension, and without a force, there is neither stress nor safety of this kind") {
+  TEST_CASE("in tension, and without a force, there is neither this stress nor this safety factor") {
     column::Buckling::Input in = offset_bar(4.0, 3.0, 1.0);
     in.P = unset<Force>;
     CHECK(!is_set(solve(in).sigma_max));

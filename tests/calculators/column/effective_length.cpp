@@ -86,7 +86,7 @@ TEST_SUITE("column effective length") {
     }
   }
 
-  TEST_CASE("a higher mode is shown in addition to the first, which stays what it is") {
+  TEST_CASE("a higher mode is shown in addition to the first, which does not change") {
     column::EffectiveLength::Input in;
     in.l = 2.0 * m;
     in.E = 210.0 * GPa;
@@ -146,7 +146,7 @@ TEST_SUITE("column effective length") {
     CHECK(rel(solve(frame(0, 0, Frame::sway)).beta, 1.0) < 1e-12);
   }
 
-  TEST_CASE("kinematic stability of the supports has no effective length") {
+  TEST_CASE("supports that leave a mechanism have no effective length") {
     column::EffectiveLength::Input in;
     in.l = 1.0 * m;
     in.end_1 = column::EffectiveLength::End::pinned;
@@ -160,7 +160,7 @@ TEST_SUITE("column effective length") {
     }
   }
 
-  TEST_CASE("a bar that moves as a rigid body is refused, and held ones are not") {
+  TEST_CASE("a bar that moves as a rigid body is refused, a supported one is not") {
     const auto refuses = [](const std::string& lines) {
       const std::string bar = "calculator = \"column.effective_length\"\nl = \"1 m\"\nE = \"210 GPa\"\n";
       return complaints(bar + "I = \"1 cm^4\"\n" + lines).find("this bar is a mechanism: hold an end") !=
@@ -201,7 +201,7 @@ TEST_SUITE("column effective length") {
     CHECK(rel(in_si(r.N_cr), pi * pi * 200e9 * 5e-8 / std::pow(r.beta * 2.0, 2)) < 1e-12);
   }
 
-  TEST_CASE("the buckled shape keeps its supports and is 1 at most") {
+  TEST_CASE("the buckled shape meets its supports and is 1 at most") {
     const Bar bar{{held, held}, {held, 0}, {0.25, 0.5}};
     const column::Shape shape = column::buckled_shape(bar, column::buckling_parameter(bar));
     double most = 0.0;
@@ -213,7 +213,7 @@ TEST_SUITE("column effective length") {
     CHECK(most == 1.0);
   }
 
-  TEST_CASE("a weak spring at the foot of a free bar: u tan u = c, however small") {
+  TEST_CASE("a weak spring at the base of a free bar: u tan u = c, however small") {
     for (const double c : {0.02, 0.1, 0.2}) {
       const double u = column::buckling_parameter({{held, c}, {0.0, 0.0}, {}});
       CHECK(rel(u * std::tan(u), c) < 1e-11);
@@ -231,7 +231,7 @@ TEST_SUITE("column effective length") {
     }
   }
 
-  TEST_CASE("wrong ends, springs and supports are told") {
+  TEST_CASE("wrong ends, springs and supports are reported") {
     const std::string bar = "calculator = \"column.effective_length\"\nl = \"1 m\"\n";
     const auto says = [&](const std::string& lines, std::string_view words) {
       return complaints(bar + lines).find(words) != std::string::npos;

@@ -186,7 +186,7 @@ TEST_SUITE("column random sections") {
     CHECK(twisting > 40);
   }
 
-  TEST_CASE("with ends that differ for bending and twisting it is a lower bound, a tenth below at most") {
+  TEST_CASE("with ends that differ for bending and twisting it is a lower bound, at most a tenth below") {
     Dice dice(22);
     double lowest = 1.0;
     for (int number = 0; number < 100; ++number) {

@@ -97,7 +97,7 @@ TEST_SUITE("column sizing") {
     }
   }
 
-  TEST_CASE("height and width together are the rectangle of least area in the stock") {
+  TEST_CASE("height and width together give the rectangle of least area in the stock") {
     double least = 1e9;
     const std::vector<double> sides = sizes_of(r40, 1.0, 400.0);
     for (const double h : sides) {
@@ -122,7 +122,7 @@ TEST_SUITE("column sizing") {
     }
   }
 
-  TEST_CASE("a size of a section that is given in another way is not searched for") {
+  TEST_CASE("a size is not searched for where the section is given in another way") {
     const std::string typed = "A = \"3880 mm^2\"\nI_y = \"1673 cm^4\"\nI_z = \"616 cm^4\"\n";
     for (const char* size : {"h = \"?\"\n", "b = \"?\"\n", "t_w = \"?\"\n", "d = \"?\"\n"}) {
       CAPTURE(size);
@@ -133,7 +133,7 @@ TEST_SUITE("column sizing") {
     }
   }
 
-  TEST_CASE("where no size passes there is no solution, and the nearest is named") {
+  TEST_CASE("where no size passes there is no solution, and the nearest size is named") {
     // a width of 5 mm is too slender at every height
     const auto project = test::solved_as_found(bar("b = \"5 mm\"\nh = \"?\"\n"));
     CHECK(test::mode_of(project, "bar", "slenderness") != "pass");
@@ -149,7 +149,7 @@ TEST_SUITE("column sizing") {
 }
 
 TEST_SUITE("column walls") {
-  TEST_CASE("a tube by its wall is the tube by its bore") {
+  TEST_CASE("a tube given by its wall is the tube given by its bore") {
     column::Buckling::Input tube = bar_of_steel(column::Ends::pinned_pinned);
     tube.b = tube.h = unset<Length>;
     tube.d = 60.0 * mm, tube.d_bore = 50.0 * mm, tube.P = 20.0 * kN;
@@ -162,7 +162,7 @@ TEST_SUITE("column walls") {
     CHECK(rel(other.r_class, one.r_class) < 1e-12);
   }
 
-  TEST_CASE("a hollow rectangle is the rectangle less its hollow") {
+  TEST_CASE("a hollow rectangle is the rectangle minus its hollow") {
     column::Buckling::Input box = bar_of_steel(column::Ends::pinned_pinned);
     box.t_w = 4.0 * mm, box.t_f = 6.0 * mm;  // 40 mm by 60 mm, 32 mm by 48 mm within
     const auto r = solve(box);

@@ -131,7 +131,7 @@ TEST_SUITE("column stepped") {
     }
   }
 
-  TEST_CASE("columns at random: cubic finite elements with numpy, extrapolated from 12 and 24 elements in each part") {
+  TEST_CASE("random columns: cubic finite elements with numpy, extrapolated from 12 and 24 elements in each part") {
     struct Row {
       Foot foot;
       Top top;
@@ -164,7 +164,7 @@ TEST_SUITE("column stepped") {
       CHECK(rel(test::evaluated<Stepped>(column_of(row.foot, row.top, row.parts)).alpha_cr, row.alpha) < 5e-7);
   }
 
-  TEST_CASE("the weight fades out: towards Euler from below, and twice all loads is half the factor") {
+  TEST_CASE("the weight tends to zero: Euler is approached from below, and twice all loads is half the factor") {
     Stepped::Input in = column_of(Foot::fixed, Top::free, {{3.0, 0.16, 100.0, 0.0}, {2.0, 0.125, 60.0, 0.0}});
     const double with_weight = test::evaluated<Stepped>(in).alpha_cr;
     in.orientation = Stepped::Orientation::horizontal;
@@ -178,7 +178,7 @@ TEST_SUITE("column stepped") {
     CHECK(rel(test::evaluated<Stepped>(in).alpha_cr, 0.5 * level) < 1e-8);
   }
 
-  TEST_CASE("more load anywhere, or a thinner part, never holds better") {
+  TEST_CASE("more load anywhere, or a thinner part, never raises the critical load") {
     const std::vector<Round> base{{3.0, 0.1, 20.0, 0.0}, {2.0, 0.08, 10.0, 0.0}, {1.0, 0.06, 5.0, 0.0}};
     for (const Top top : {Top::free, Top::pinned, Top::fixed, Top::guided}) {
       const double before = test::evaluated<Stepped>(column_of(Foot::fixed, top, base)).alpha_cr;
@@ -199,7 +199,7 @@ TEST_SUITE("column stepped") {
     CHECK(rel(in_si(r.F_cr), r.alpha_cr * in_si(r.F)) < 1e-15);
   }
 
-  TEST_CASE("a part without compression does not decide, and nothing is judged of a column without a load") {
+  TEST_CASE("a part without compression does not govern, and a column without a load is not assessed") {
     Stepped::Input in = column_of(Foot::fixed, Top::free, {{3.0, 0.1, 20.0, 0.0}, {2.0, 0.05, 0.0, 0.0}});
     in.rho = unset<Density>, in.n_st = 3.0, in.R_e = 235.0 * MPa;
     const Stepped::Result r = test::evaluated<Stepped>(in);
@@ -210,7 +210,7 @@ TEST_SUITE("column stepped") {
     CHECK(!is_set(test::evaluated<Stepped>(in).alpha_cr));
   }
 
-  TEST_CASE("unsound columns do not pass, sound ones do") {
+  TEST_CASE("unsafe columns do not pass, safe ones do") {
     const auto of = [](const std::string& lines, const char* mode) {
       return test::mode_with("column.stepped", lines, mode);
     };

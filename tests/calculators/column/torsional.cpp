@@ -71,8 +71,7 @@ TEST_SUITE("column torsional") {
     }
   }
 
-  TEST_CASE(
-      "it is never above twisting nor bending, falls with the length and the offset, and rises with I_t and I_w") {
+  TEST_CASE("it is never above twisting or bending, falls with length and offset, and rises with I_t and I_w") {
     double before = 1e12;
     for (const double l : {0.5, 1.0, 2.0, 4.0, 8.0}) {
       const column::Buckling::Result r = solve(angle(l));
@@ -94,7 +93,7 @@ TEST_SUITE("column torsional") {
     CHECK(in_si(solve(in).N_crTF) < 0.5 * base);
   }
 
-  TEST_CASE("the middle lines of the walls give the constants of rolled channels") {
+  TEST_CASE("the centre lines of the walls give the constants of rolled channels") {
     int count = 0;
     for (const char* name : {"UPE 80", "UPE 100", "UPE 140", "UPE 200", "UPE 300", "UPE 400"}) {
       CAPTURE(name);
@@ -128,7 +127,7 @@ TEST_SUITE("column torsional") {
     CHECK(rel(r.u_TF, 1.67 * 300e3 / (F_cr * A)) < 2e-3);  // 4.71 is rounded
   }
 
-  TEST_CASE("what is not known of a section is not assessed: unequal legs, no walls, no symmetry") {
+  TEST_CASE("unknown properties of a section are not assessed: unequal legs, no walls, no symmetry") {
     column::Buckling::Input in = angle(0.8);
     in.b = 75.0 * mm;
     CHECK(!is_set(solve(in).u_TF));

@@ -65,7 +65,7 @@ TEST_SUITE("friction wheels") {
     CHECK(rel(solve(in).F_t / in.b, 5.0 * kgf / (10.0 * mm)) < 1e-12);  // 5 kgf on a centimetre
   }
 
-  TEST_CASE("Q = 1.5 to 2 M/(f R) presses the wheels, by either of the torques ([Artobolevsky])") {
+  TEST_CASE("Q = 1.5 to 2 M/(f R) presses the wheels together, by either of the torques ([Artobolevsky])") {
     for (const double x : {1.5, 2.0}) {
       Wheels::Input in = wheels();
       in.S_min = x;
@@ -99,7 +99,7 @@ TEST_SUITE("friction wheels") {
     CHECK(rel(in_si(r.p_H) * pi / 4 * 2 * in_si(r.b_H), 35e6) < 1e-12);  // a half ellipse holds the line load
   }
 
-  TEST_CASE("the least contact length brings the pressure to its limit, by the one or the other") {
+  TEST_CASE("the minimum contact length brings the pressure to its limit, by either of the limits") {
     Wheels::Input in = wheels();
     in.E_1 = in.E_2 = 206.0 * GPa, in.p_adm = 400.0 * MPa, in.q_adm = 20.0 * N_per_mm;
     for (const auto shape : {Shape::cylindrical, Shape::grooved, Shape::bevel}) {
@@ -113,7 +113,7 @@ TEST_SUITE("friction wheels") {
     CHECK(rel(solve(in).u_p, 1.0) < 1e-12);
   }
 
-  TEST_CASE("the flanks of grooves balance what presses them: by their normal forces and friction as vectors") {
+  TEST_CASE("the groove flanks balance the pressing force: by their normal forces and friction as vectors") {
     Wheels::Input in = wheels();
     in.shape = Shape::grooved, in.z = 4;
     in.alpha = std::atan(0.3);
@@ -135,7 +135,7 @@ TEST_SUITE("friction wheels") {
     }
   }
 
-  TEST_CASE("without friction against pressing in, grooves that open to a plane press like cylinders") {
+  TEST_CASE("without friction against pressing in, grooves that open to a plane are pressed like cylinders") {
     Wheels::Input in = wheels();
     in.E_1 = in.E_2 = 206.0 * GPa;
     const auto plain = solve(in);
@@ -145,7 +145,7 @@ TEST_SUITE("friction wheels") {
     CHECK(rel(r.p_H, plain.p_H) < 1e-12);
   }
 
-  TEST_CASE("the contact ends before the axis of a wheel and the apex of the cones") {
+  TEST_CASE("the contact ends before the axis of a wheel and before the apex of the cones") {
     const std::string sizes = "d_1 = \"60 mm\"\nd_2 = \"60 mm\"\nT_1 = \"10 N*m\"\nmu = 0.2\n";
     const std::string words = "beyond the axis of a wheel or the apex";
     says(sizes + "b = \"90 mm\"\nshape = \"bevel\"\n", words);  // cones of 45 deg end after 84.9 mm
@@ -177,7 +177,7 @@ TEST_SUITE("friction wheels") {
     }
   }
 
-  TEST_CASE("the loads part the wheels, and friction holds the one back that it drives the other with") {
+  TEST_CASE("the loads push the wheels apart, and friction brakes one wheel with the force that drives the other") {
     const auto r = solve(wheels());
     CHECK(in_si(r.shaft_1.F_x) == -in_si(r.F_p));
     CHECK(in_si(r.shaft_2.F_x) == -in_si(r.F_p));
@@ -187,7 +187,7 @@ TEST_SUITE("friction wheels") {
     CHECK(in_si(r.shaft_2.n) == -in_si(r.n_2));
   }
 
-  TEST_CASE("wrong wheels are named with their remedy") {
+  TEST_CASE("wrong wheels are reported with their remedy") {
     const std::string sizes = "d_1 = \"200 mm\"\nd_2 = \"500 mm\"\n", load = "T_1 = \"30 N*m\"\n";
     says(sizes + load, "give either the coefficient of friction mu or the pair of materials");
     says(sizes + load + "mu = 0.2\nshape = \"grooved\"\n", "need the half groove angle alpha");

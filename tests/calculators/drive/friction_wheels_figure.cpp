@@ -47,7 +47,7 @@ TEST_SUITE("friction wheels figure") {
     }
   }
 
-  TEST_CASE("the wheels touch between their centres, and the force drives the other rim the same way") {
+  TEST_CASE("the wheels touch between their centres, and the force drives the other rim in its direction") {
     const auto figure = figure_of(drawn_wheels(Shape::cylindrical, 500.0));
     const auto& view = drawing_of(figure).views[0];
     CHECK(view.circles[1].centre.x == doctest::Approx(0.35));

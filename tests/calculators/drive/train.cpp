@@ -55,8 +55,7 @@ TEST_SUITE("drive train") {
     CHECK(r.works == drive::Train::Works::reducer);
   }
 
-  TEST_CASE(
-      "two stages of 3:1 turn 1750 rpm and 10 N m into 194 rpm and 90 N m, in the same sense (rulesofthumb.info)") {
+  TEST_CASE("two stages of 3:1 turn 1750 rpm, 10 N m into 194 rpm, 90 N m, in the same direction (rulesofthumb.info)") {
     drive::Train::Input in = train({});
     in.T_1 = 10.0 * N_m, in.n_1 = 1750.0 * rpm;
     drive::Train::Stage s;
@@ -82,7 +81,7 @@ TEST_SUITE("drive train") {
     CHECK(rel(in_si(r.shafts[1].F_in), in_si(r.shafts[0].F_out)) < 1e-12);
   }
 
-  TEST_CASE("bevel gears: the ratio is positive unless its sense is stated, the force is that of the outer diameter") {
+  TEST_CASE("bevel gears: the ratio is positive unless the direction is stated, the force is at the outer diameter") {
     drive::Train::Stage s;
     s.kind = StageKind::bevel, s.z_1 = 20, s.z_2 = 40, s.m_n = 4.0 * mm, s.eta = 0.96;
     auto r = solve(train({s}));
@@ -93,7 +92,7 @@ TEST_SUITE("drive train") {
     CHECK(rel(solve(train({s})).i, -2.0) < 1e-14);
   }
 
-  TEST_CASE("power is kept without losses, and the losses of the stages are those of the train") {
+  TEST_CASE("without losses the power is constant, and the losses of the stages are those of the train") {
     const auto r = solve(
         train({stage(StageKind::gear, 3, 0.97), stage(StageKind::worm, 20, 0.7), stage(StageKind::chain, 0.5, 0.95)}));
     CHECK(rel(in_si(r.P_out), 30.0 * 1000.0 * pi / 30.0 * r.eta) < 1e-12);
@@ -102,7 +101,7 @@ TEST_SUITE("drive train") {
     CHECK(rel(in_si(sum), in_si(r.P_loss)) < 1e-12);
   }
 
-  TEST_CASE("a planetary stage by Willis: ring held, sun to carrier, and the other way a multiplier") {
+  TEST_CASE("a planetary stage by Willis: ring held, sun to carrier, and the reverse as a speed-up drive") {
     drive::Train::Stage s;
     s.kind = StageKind::planetary, s.z_s = 24, s.z_r = 84, s.eta = 0.97;
     const auto r = solve(train({s}));
@@ -114,7 +113,7 @@ TEST_SUITE("drive train") {
     CHECK(rel(solve(train({s})).i, -3.5) < 1e-14);
   }
 
-  TEST_CASE("an efficiency beyond the usual range is told, not refused") {
+  TEST_CASE("an efficiency beyond the usual range gives a warning, not an error") {
     const auto r = solve(
         train({stage(StageKind::chain, 2, 0.96), stage(StageKind::chain, 2, 0.9), stage(StageKind::worm, 2, 0.97)}));
     CHECK(r.stages[0].range == drive::Train::EtaRange::usual);
@@ -122,7 +121,7 @@ TEST_SUITE("drive train") {
     CHECK(r.stages[2].range == drive::Train::EtaRange::above);
   }
 
-  TEST_CASE("what a user can get wrong is told") {
+  TEST_CASE("wrong input is reported") {
     says("", "'stages' is empty");
     says("{ kind = \"gear\", z_1 = 20 }", "the ratio of this stage is not given");
     says("{ kind = \"crossed\", d_1 = \"40 mm\", d_2 = \"80 mm\" }", "the ratio of this stage is not given");

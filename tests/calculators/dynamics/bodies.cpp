@@ -5,7 +5,7 @@ using namespace loadpath::test;
 using loadpath::account::State;
 
 TEST_SUITE("dynamics momentum") {
-  TEST_CASE("an elastic impact keeps the energy, a plastic one the common velocity") {
+  TEST_CASE("an elastic impact conserves the energy, a plastic one has a common velocity") {
     const std::string bodies =
         "bodies = [{ name = \"a\", m = \"2 kg\", v_1 = \"3 m/s\" }, "
         "{ name = \"b\", m = \"5 kg\", v_1 = \"-1 m/s\" }]\n";
@@ -23,7 +23,7 @@ TEST_SUITE("dynamics momentum") {
     CHECK(near(s("after.a.I") + s("after.b.I") + s("after.c.I"), -4.0));
   }
 
-  TEST_CASE("what leaves nothing to be found, or no impact, is refused") {
+  TEST_CASE("no unknown, or no impact, is refused") {
     const Refused rows[] = {
         {"bodies = [{ m = \"2 kg\", v_2 = \"1 m/s\" }]\n", "omit v_2 of one body, which is calculated"},
         {"e = 0.5\nbodies = [{ m = \"2 kg\" }]\n", "impact of two bodies"},
@@ -35,7 +35,7 @@ TEST_SUITE("dynamics momentum") {
 }
 
 TEST_SUITE("dynamics mass centre") {
-  TEST_CASE("the centre of mass stays: displacements weigh up") {
+  TEST_CASE("the centre of mass stays in place: displacements balance by mass") {
     const SolvedStep s("dynamics.mass_centre",
                        "bodies = [{ name = \"crane\", m = \"900 kg\" }, { name = \"a\", m = \"80 kg\", s = \"3 m\" }, "
                        "{ name = \"b\", m = \"20 kg\", s = \"-5 m\" }]\n");
@@ -46,25 +46,25 @@ TEST_SUITE("dynamics mass centre") {
     CHECK(std::abs(SolvedStep("dynamics.mass_centre",
                               "bodies = [{ m = \"1e6 kg\" }, { m = \"1 kg\", s = \"1 m\" }]\n")("Delta_x")) < 1.1e-6);
   }
-  TEST_CASE("a carrier that moves along itself is refused") {
+  TEST_CASE("bodies without a carrier are refused") {
     const Refused rows[] = {{"bodies = [{ m = \"1 kg\", s = \"1 m\" }]\n", "carrier"}, {"bodies = []\n", "is empty"}};
     check_refusals("dynamics.mass_centre", rows);
   }
 }
 
 TEST_SUITE("dynamics angular momentum") {
-  TEST_CASE("a wheel coupled to one twice as heavy that rests turns at a third: 810 rpm become 270") {
+  TEST_CASE("a wheel coupled to one at rest and twice as heavy turns at a third: 810 rpm become 270") {
     const SolvedStep s("dynamics.angular_momentum",
                        "parts = [{ J_1 = \"1 kg*m^2\", omega_1 = \"810 rpm\" }, { J_1 = \"2 kg*m^2\" }]\n");
     CHECK(near(s("n_2"), 270.0 * 2.0 * 3.141592653589793 / 60.0));
     CHECK(near(s("E_2"), s("E_1") / 3.0));
   }
-  TEST_CASE("the skater who draws in her arms brings the energy: three times as much at a third of the inertia") {
+  TEST_CASE("the skater who draws in her arms supplies the energy: three times as much at a third of the inertia") {
     const SolvedStep s("dynamics.angular_momentum",
                        "parts = [{ J_1 = \"6 kg*m^2\", J_2 = \"2 kg*m^2\", omega_1 = \"2 rps\" }]\n");
     CHECK(near(s("E_2"), 3.0 * s("E_1")));
   }
-  TEST_CASE("a moment for a time and the time of a moment are one another's inverse") {
+  TEST_CASE("a moment for a time and the time of a moment are inverse to each other") {
     const std::string part = "J_1 = \"0.8 kg*m^2\", omega_1 = \"60 rad/s\"";
     const SolvedStep a("dynamics.angular_momentum", "M = \"-5 N*m\"\nt = \"4 s\"\nparts = [{ " + part + " }]\n");
     CHECK(near(a("omega_2"), 35.0));
@@ -98,10 +98,10 @@ TEST_SUITE("dynamics work") {
     CHECK(beyond.worst() == State::fail);
     CHECK(std::isnan(beyond("v_2")));
   }
-  TEST_CASE("a body at rest that nothing drives gets nowhere") {
+  TEST_CASE("a body at rest that nothing drives does not move") {
     CHECK(SolvedStep("dynamics.work", "m = \"1 kg\"\ns = \"1 m\"\nmu = 0.2\n").worst() != State::pass);
   }
-  TEST_CASE("a spring that is let go and drawn again does no work") {
+  TEST_CASE("a spring that is released and stretched again does no work") {
     CHECK(SolvedStep("dynamics.work",
                      "m = \"1 kg\"\ns = \"1 m\"\nc = \"2 N/mm\"\nz_1 = \"-30 mm\"\nz_2 = \"30 mm\"\nv_1 = \"1 m/s\"\n")(
               "A_c") == 0.0);
@@ -117,7 +117,7 @@ TEST_SUITE("dynamics work") {
 }
 
 TEST_SUITE("dynamics lift") {
-  TEST_CASE("a lift that friction holds stands, and one that is pulled backwards says so") {
+  TEST_CASE("a lift that friction holds stays at rest, and one that is pulled backwards is reported") {
     const std::string drum =
         "s = \"1 m\"\nweights = [{ m = \"10 kg\" }, { m = \"9 kg\", i = -1 }]\nwheels = [{ J = \"0.1 kg*m^2\", r = "
         "\"0.1 m\", M_f = ";
@@ -134,7 +134,7 @@ TEST_SUITE("dynamics lift") {
         "wheels = [{ name = \"w\", J = \"0.2 kg*m^2\", r = \"150 mm\", i = 2, M_f = \"0.9 N*m\" }]\n");
     CHECK(near(s("weight_states.a.E") + s("weight_states.b.E") + s("wheel_states.w.E"), s("A"), 1e-12));
   }
-  TEST_CASE("a moving lift that is braked stops after its path to a standstill") {
+  TEST_CASE("a moving lift that is braked stops, and the path to standstill is reported") {
     const std::string brake =
         "v_0 = \"2 m/s\"\nweights = [{ m = \"100 kg\" }]\nwheels = [{ J = \"2 kg*m^2\", r = \"0.2 m\", M_f = \"300 "
         "N*m\" }]\ns = ";
@@ -152,7 +152,7 @@ TEST_SUITE("dynamics lift") {
     CHECK(near(s("weight_states.hangs.T"), 2.0 * (9.81 - a)));
     CHECK(near(-s("weight_states.slides.T"), s("weight_states.hangs.T")));
   }
-  TEST_CASE("nothing that moves is refused") {
+  TEST_CASE("a system in which nothing moves is refused") {
     const Refused rows[] = {{"s = \"1 m\"\n", "give at least one weight or wheel"},
                             {"s = \"1 m\"\nweights = [{ m = \"1 kg\", i = 0 }]\n",
                              "at least one part with a mass must move with the path s"},

@@ -31,7 +31,7 @@ TEST_SUITE("dynamics inertia") {
     CHECK(wheel("e_S") == 0.0);
   }
 
-  TEST_CASE("n identical parts, equally spaced, are that many parts at their places") {
+  TEST_CASE("n identical parts, equally spaced, are that many parts at their positions") {
     const std::string bolt = "shape = \"cylinder\", D = \"20 mm\", h = \"50 mm\", m = \"120 g\"";
     const std::string eccentric = ", { shape = \"point\", m = \"1 kg\", x = \"30 mm\", y = \"-20 mm\", z = \"7 mm\" }";
     const SolvedStep one = body("{ " + bolt + ", x = \"80 mm\", z = \"5 mm\", n = 4 }" + eccentric);
@@ -45,7 +45,7 @@ TEST_SUITE("dynamics inertia") {
     }
   }
 
-  TEST_CASE("bodies are those that they are cut into") {
+  TEST_CASE("a body equals the sum of the parts that it is cut into") {
     const std::string rho = "rho = \"7850 kg/m^3\"\n";
     const SolvedStep tube = body("{ shape = \"cylinder\", D = \"80 mm\", d_i = \"30 mm\", h = \"90 mm\" }", rho);
     const SolvedStep bored = body(
@@ -96,7 +96,7 @@ TEST_SUITE("dynamics inertia") {
                7850 * pi / 4 * 1e-4));
   }
 
-  TEST_CASE("parts without the sizes of their shape, or with others, are refused") {
+  TEST_CASE("parts without the sizes of their shape, or with extra sizes, are refused") {
     const Refused rows[] = {
         {"parts = [{ shape = \"sphere\", D = \"1 m\", h = \"1 m\", m = \"1 kg\" }]\n", "has no size h"},
         {"parts = [{ shape = \"point\", m = \"1 kg\", D = \"1 m\" }]\n", "has no size D"},
@@ -144,7 +144,7 @@ TEST_SUITE("dynamics inertia") {
     CHECK(contains(fault("D = \"120 mm\", h = \"10 mm\", n = 2"), "overlap"));
   }
 
-  TEST_CASE("a hole through parts one behind the other, and one in a body of unknown size") {
+  TEST_CASE("a hole through parts one behind another, and one in a body of unknown size") {
     const std::string hole = "{ shape = \"cylinder\", as = \"hole\", D = \"20 mm\", h = \"50 mm\", m = \"10 g\" }";
     const std::string disc = "{ shape = \"cylinder\", D = \"90 mm\", h = \"30 mm\", m = \"1 kg\" }, ";
     const std::string next = "{ shape = \"cylinder\", D = \"60 mm\", h = \"20 mm\", m = \"1 kg\", z = \"25 mm\" }, ";

@@ -21,7 +21,7 @@ InitialValue swing(double t_2) {
 }  // namespace
 
 TEST_SUITE("initial value") {
-  TEST_CASE("a swing keeps its tolerance") {
+  TEST_CASE("an oscillation keeps its tolerance") {
     for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
       const Solved end = solve(swing(20.0), tolerance, [](double, const Unknowns&) {});
       CHECK(end.end == Solved::End::time);
@@ -30,7 +30,7 @@ TEST_SUITE("initial value") {
     }
   }
 
-  TEST_CASE("it ends at the first zero after the start, and turns are visited") {
+  TEST_CASE("it ends at the first zero after the start, and turning points are visited") {
     InitialValue problem = swing(20.0);
     problem.until = [](double, const Unknowns& y) { return y[1]; };  // zero at the start too
     problem.turns = {[](double, const Unknowns& y) { return y[0]; }};
@@ -46,7 +46,7 @@ TEST_SUITE("initial value") {
     CHECK(before == end.t);
   }
 
-  TEST_CASE("no slopes beyond a place, and a growth that no step follows") {
+  TEST_CASE("no derivatives beyond a boundary, and a growth that no step size can follow") {
     InitialValue root;
     root.slopes = [](double t, const Unknowns&, Unknowns& slopes) { slopes = {std::sqrt(1.0 - t)}; };
     root.t_2 = 3.0;

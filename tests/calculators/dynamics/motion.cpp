@@ -50,7 +50,7 @@ TEST_SUITE("dynamics motion" * by_case) {
     CHECK(s("y_E") == 0.0);
   }
 
-  TEST_CASE("without resistance it is the throw") {
+  TEST_CASE("without resistance it is the projectile") {
     const SolvedStep air = motion(
         "m = \"7 kg\"\nv_x0 = \"17.320508075688775 m/s\"\nv_y0 = \"10 m/s\"\nF_x = \"0 N\"\nF_y = \"-68.67 N\"\n"
         "until = \"y\"\nt_2 = \"100 s\"\n");
@@ -61,7 +61,7 @@ TEST_SUITE("dynamics motion" * by_case) {
     CHECK(near(air("v_E"), 20.0));
   }
 
-  TEST_CASE("springs swing as they must, and friction stops them") {
+  TEST_CASE("springs oscillate as they must, and friction stops them") {
     const SolvedStep free = motion("m = \"2 kg\"\nx_0 = \"10 mm\"\nF_x = \"-800 N/m*x\"\nt_2 = \"1 s\"\n");
     CHECK(near(free("x_E"), 0.01 * std::cos(20.0), 1e-8));
     CHECK(near(free("v_xE"), -0.2 * std::sin(20.0), 1e-8));
@@ -93,7 +93,7 @@ TEST_SUITE("dynamics motion" * by_case) {
     }
   }
 
-  TEST_CASE("forces of time: the impulse, and three axes") {
+  TEST_CASE("forces over time: the impulse, and three axes") {
     const SolvedStep s = motion(
         "m = \"3 kg\"\nv_x0 = \"4 m/s\"\nF_x = \"3 N*(t/(1 s))^2 + 5 N\"\nF_z = \"2 N*sin(2*t/(1 s))\"\nt_2 = \"3 "
         "s\"\n");
@@ -120,7 +120,7 @@ TEST_SUITE("dynamics motion" * by_case) {
     }
   }
 
-  TEST_CASE("a force without a value, and what is no force, are refused with the place") {
+  TEST_CASE("a force without a value, and an expression that is not a force, are refused with the place") {
     const std::string thrown = "m = \"1 kg\"\nt_2 = \"30 s\"\nx_0 = \"1 m\"\n";
     const std::string pole = thrown + "F_x = \"-1 N*m/x\"\n", root = thrown + "F_x = \"-1 N*sqrt(1 - t/(2 s))\"\n",
                       kind = thrown + "F_x = \"3 m\"\n", name = thrown + "F_x = \"3 N/m*s\"\n",

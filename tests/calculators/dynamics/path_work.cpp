@@ -26,7 +26,7 @@ TEST_SUITE("dynamics path work") {
     CHECK(near(SolvedStep(id, curve + gradient)("A"), -35.0));
   }
 
-  TEST_CASE("around a closed curve a potential gives nothing, a swirl twice its area") {
+  TEST_CASE("around a closed curve a potential does no work, a swirl twice its area") {
     const SolvedStep spring(id, ellipse + "t_2 = \"4 s\"\nF_x = \"-20 N/m*x\"\nF_y = \"-20 N/m*y\"\n");
     CHECK(spring("A") == 0.0);
     const SolvedStep swirl(id, ellipse + "t_2 = \"4 s\"\nF_x = \"-5 N/m*y\"\nF_y = \"5 N/m*x\"\n");
@@ -35,7 +35,7 @@ TEST_SUITE("dynamics path work") {
     CHECK(swirl("delta") < 1e-13);
   }
 
-  TEST_CASE("weight works by the height alone, friction by the length") {
+  TEST_CASE("the work of the weight depends on the height alone, that of friction on the length") {
     const SolvedStep weight(
         id,
         "x = \"2 m*sin(t/(1 s))\"\ny = \"0.5 m/s^2*t^2\"\nt_1 = \"1 s\"\nt_2 = \"3 s\"\nF_x = \"0 N\"\n"
@@ -47,7 +47,7 @@ TEST_SUITE("dynamics path work") {
     CHECK(friction("P_max") < 0.0);
   }
 
-  TEST_CASE("drag on a point that swings on a line") {
+  TEST_CASE("drag on a point that oscillates on a line") {
     // k v^3 over sin^3: the integral of |cos|^3 over a period is 8/3 of its radian
     const SolvedStep drag(id,
                           "x = \"3 m*sin(t/(1 s))\"\nt_2 = \"6.283185307179586 s\"\nF_x = \"-2 N*s^2/m^2*v*v_x\"\n");
@@ -56,7 +56,7 @@ TEST_SUITE("dynamics path work") {
     CHECK(drag("P_max") == doctest::Approx(0.0));
   }
 
-  TEST_CASE("a force with a kink on the way is integrated to eleven digits") {
+  TEST_CASE("a force with a kink on the path is integrated to eleven digits") {
     const SolvedStep stop(id, "x = \"3 m/s*t\"\nt_2 = \"1 s\"\nF_x = \"-10 N/m*max(x - 1.2345 m, 0 m)\"\n");
     CHECK(near(stop("A"), -5 * std::pow(3 - 1.2345, 2), 1e-11));
     const SolvedStep root(id, "x = \"4 m/s*t\"\nt_2 = \"1 s\"\nF_x = \"3 N*sqrt(x/(1 m))\"\n");

@@ -4,7 +4,7 @@
 using namespace loadpath::test;
 
 TEST_SUITE("dynamics force") {
-  TEST_CASE("on the ellipse the force points to the middle: P = -m pi^2 r") {
+  TEST_CASE("on the ellipse the force points to the centre: P = -m pi^2 r") {
     for (const std::string t : {"0 s", "0.1 s", "0.6 s", "1.3 s"}) {
       const SolvedStep s("dynamics.force",
                          "m = \"2 kg\"\nx = \"3 m*sin(pi*t/(1 s))\"\ny = \"5 m*cos(pi*t/(1 s))\"\nt = \"" + t + "\"\n");
@@ -15,13 +15,13 @@ TEST_SUITE("dynamics force") {
     }
   }
 
-  TEST_CASE("what stands or moves evenly asks for the opposite of the known forces") {
+  TEST_CASE("a point at rest or in uniform motion needs the opposite of the known forces") {
     const SolvedStep s("dynamics.force", "m = \"7 kg\"\nx = \"3 m/s*t\"\nt = \"1 s\"\nF_z = \"-68.67 N\"\n");
     CHECK(s("P") == 0.0);
     CHECK(near(s("R"), 68.67));
   }
 
-  TEST_CASE("a mass without a size, or a law that is none, is refused") {
+  TEST_CASE("a mass without a size, or an expression that is not a law, is refused") {
     const Refused rows[] = {
         {"m = \"0 kg\"\nx = \"1 m\"\nt = \"0 s\"\n", "must be"},
         {"m = \"1 kg\"\nx = \"1 kg\"\nt = \"0 s\"\n", "length"},
@@ -31,7 +31,7 @@ TEST_SUITE("dynamics force") {
 }
 
 TEST_SUITE("dynamics throw") {
-  TEST_CASE("energy is kept over the flight") {
+  TEST_CASE("energy is conserved over the flight") {
     for (const double h : {-3.0, 0.0, 25.0}) {
       const SolvedStep s("dynamics.throw",
                          "V_0 = \"15 m/s\"\ntheta = \"60 deg\"\nh = \"" + std::to_string(h) + " m\"\n");
@@ -48,7 +48,7 @@ TEST_SUITE("dynamics throw") {
     }
   }
 
-  TEST_CASE("the angles that are given for a distance reach it") {
+  TEST_CASE("the angles that are given for a distance reach that distance") {
     const SolvedStep aim("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nh = \"2 m\"\nL_req = \"30 m\"\n");
     for (const std::string of : {"theta_flat", "theta_steep"}) {
       const SolvedStep s("dynamics.throw",
@@ -57,7 +57,7 @@ TEST_SUITE("dynamics throw") {
     }
   }
 
-  TEST_CASE("out of reach is a check that fails, on both sides of its border") {
+  TEST_CASE("out of range is a check that fails, on both sides of its limit") {
     CHECK(SolvedStep("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nL_req = \"40 m\"\n").worst() ==
           loadpath::account::State::pass);
     CHECK(SolvedStep("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nL_req = \"41 m\"\n").worst() ==
@@ -90,7 +90,7 @@ TEST_SUITE("dynamics throw") {
     CHECK(near(lift("a"), here("g")));
   }
 
-  TEST_CASE("a weight that is given twice, or an altitude somewhere, is refused") {
+  TEST_CASE("a weight that is given twice, or an altitude without a latitude, is refused") {
     const std::string level = "V_0 = \"20 m/s\"\ntheta = \"30 deg\"\n";
     const std::string twice = level + "g = \"9.81 m/s^2\"\nlatitude = \"45 deg\"\n";
     const std::string nowhere = level + "altitude = \"500 m\"\n", beyond = level + "latitude = \"91 deg\"\n";
@@ -99,7 +99,7 @@ TEST_SUITE("dynamics throw") {
     check_refusals("dynamics.throw", rows);
   }
 
-  TEST_CASE("what cannot be thrown is refused") {
+  TEST_CASE("an impossible throw is refused") {
     const Refused rows[] = {{"V_0 = \"0 m/s\"\ntheta = \"45 deg\"\n", "must be"},
                             {"V_0 = \"9 m/s\"\ntheta = \"91 deg\"\n", "must be"},
                             {"V_0 = \"9 m/s\"\ntheta = \"45\"\n", "unit"},
@@ -110,7 +110,7 @@ TEST_SUITE("dynamics throw") {
 }
 
 TEST_SUITE("dynamics impulse") {
-  TEST_CASE("a force that is twice as long brings twice the impulse") {
+  TEST_CASE("twice the duration of a force gives twice the impulse") {
     const SolvedStep a("dynamics.impulse", "m = \"2 kg\"\nF_x = \"30 N\"\nt_2 = \"1 s\"\n");
     const SolvedStep b("dynamics.impulse", "m = \"2 kg\"\nF_x = \"30 N\"\nt_2 = \"2 s\"\n");
     CHECK(near(a("I"), 30.0));
@@ -146,7 +146,7 @@ TEST_SUITE("dynamics impulse") {
     CHECK(z("v_2x") == 0.0);
   }
 
-  TEST_CASE("what is no force over a time is refused") {
+  TEST_CASE("an expression that is not a force over a time is refused") {
     const Refused rows[] = {{"m = \"2 kg\"\nF_x = \"30 N\"\nF_z = \"1 N*tan(t/(1 s))\"\nt_2 = \"2 s\"\n", "F_z"},
                             {"m = \"2 kg\"\nF_x = \"30 kg\"\nt_2 = \"1 s\"\n", "force"},
                             {"m = \"2 kg\"\nF_x = \"30 N\"\nt_1 = \"1 s\"\nt_2 = \"1 s\"\n", "end after its start"},

@@ -49,7 +49,7 @@ TEST_SUITE("fatigue.combined") {
     }
   }
 
-  TEST_CASE("without psi that of steels, half of it in shear; Gough and Pollard hold mean shear against 0.67 R_m") {
+  TEST_CASE("psi defaults to that of steels, half of it in shear; Gough and Pollard compare mean shear with 0.67 R_m") {
     C::Input in;
     in.sigma_m = 20.0 * MPa, in.sigma_a = 60.0 * MPa, in.tau_m = -40.0 * MPa, in.tau_a = 10.0 * MPa;
     in.sigma_D = 180.0 * MPa, in.tau_D = 110.0 * MPa, in.K_sigma = 1.7, in.K_tau = 1.5, in.R_m = 690.0 * MPa;
@@ -61,7 +61,7 @@ TEST_SUITE("fatigue.combined") {
     CHECK(r.n == r.n_Gough);
   }
 
-  TEST_CASE("Serensen's form: n_sigma n_tau over the root of their squares; the mean stress feels no K_D") {
+  TEST_CASE("Serensen's form: n_sigma n_tau over the root of their squares; K_D does not act on the mean stress") {
     C::Input in = bar(60, 40, 10);
     in.sigma_m = 20.0 * MPa, in.tau_D = 150.0 * MPa, in.K_sigma = 2.0, in.K_tau = 1.5;
     in.psi_sigma = 0.2, in.psi_tau = 0.1, in.rule = C::Criterion::serensen;
@@ -79,7 +79,7 @@ TEST_SUITE("fatigue.combined") {
     CHECK(rel(safety(in).n_Serensen, 276.0 / 60) < 1e-12);
   }
 
-  TEST_CASE("where tau_D is that of von Mises, reversed stresses have one safety by all schools") {
+  TEST_CASE("where tau_D is that of von Mises, fully reversed stresses have one safety factor by all schools") {
     C::Input in = bar(100, 0, 50);
     in.tau_D = 276.0 / std::sqrt(3.0) * MPa;
     const auto r = safety(in);
@@ -89,7 +89,7 @@ TEST_SUITE("fatigue.combined") {
     CHECK(rel(r.x_v, 1.0) < 1e-12);
   }
 
-  TEST_CASE("a fatigue limit in shear below that of von Mises is not covered by it") {
+  TEST_CASE("a fatigue limit in shear below that of von Mises is not covered by this school") {
     C::Input in = bar(100, 0, 50);
     in.tau_D = 120.0 * MPa;
     CHECK(safety(in).x_v > 1.3);
@@ -97,7 +97,7 @@ TEST_SUITE("fatigue.combined") {
     CHECK_FALSE(is_set(safety(in).x_v));
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string R_m = "R_m = \"690 MPa\"\n", tau_D = "tau_D = \"110 MPa\"\n";
     CHECK(says(R_m, "its own fatigue limit"));
     CHECK(says(tau_D, "needs the tensile strength"));

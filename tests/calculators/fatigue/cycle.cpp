@@ -84,7 +84,7 @@ TEST_SUITE("fatigue.cycle") {
     CHECK(refused == 5);  // (r=-1, mean), (r=0, least), (r=inf, largest), (r=1, amplitude) twice
   }
 
-  TEST_CASE("both infinite ratios are one point") {
+  TEST_CASE("both infinite ratios are the same point") {
     for (const double r : {infinity, -infinity}) {
       fatigue::Cycle::Input in;
       in.r = r, in.sigma_a = 50.0 * MPa;
@@ -127,7 +127,7 @@ TEST_SUITE("fatigue.cycle") {
     CHECK(says("sigma_a = \"-10 MPa\"\nr = 0\n", "must be"));
   }
 
-  TEST_CASE("one characteristic or three make no cycle; the message says how many there are and where") {
+  TEST_CASE("one characteristic or three do not make a cycle; the message states how many there are and where") {
     CHECK(says("sigma_max = \"10 MPa\"\n", "given here: 1"));
     CHECK(says("sigma_max = \"10 MPa\"\nsigma_min = \"0 MPa\"\nr = 0\n", "given here: 3"));
     CHECK(says("sigma_max = \"10 MPa\"\nr = 0\nothers = [{ sigma_a = \"3 MPa\" }]\n", "c.others[1].sigma_a"));
@@ -149,7 +149,7 @@ TEST_SUITE("fatigue.cycle") {
     CHECK(r.others[3].similar == fatigue::Cycle::Similar::no);
   }
 
-  TEST_CASE("the largest stress is checked against yielding, shear by von Mises") {
+  TEST_CASE("the largest stress is checked against yielding, in shear by von Mises") {
     fatigue::Cycle::Input in;
     in.sigma_max = 60.0 * MPa, in.sigma_min = -180.0 * MPa, in.R_e = 360.0 * MPa;
     CHECK(std::abs(cycle(in).u_y - 0.5) < 1e-12);

@@ -65,7 +65,7 @@ bool says(const std::string& lines, const std::string& words) {
 }  // namespace
 
 TEST_SUITE("fatigue.din743") {
-  TEST_CASE("the safeties of an examination: shoulder with a mean stress that stays") {
+  TEST_CASE("the safety factors of an examination: shoulder with a constant mean stress") {
     const auto r = rated(shoulder_of_2024());
     CHECK(std::abs(r.S_D - 2.373) < 5e-4);
     CHECK(std::abs(r.S_F - 1.464) < 5e-4);
@@ -73,7 +73,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(rel(in_MPa(r.stresses[2].sigma_m), 120) < 1e-6);
   }
 
-  TEST_CASE("the safeties of an examination: keyway under rotating bending, static torque, a hard layer") {
+  TEST_CASE("the safety factors of an examination: keyway under rotating bending, static torque, a hard layer") {
     In in = of_steel(SteelGroup::quenched_tempered, 750, 520, 80);
     in.notch = Notch::keyway, in.d = 60.0 * mm, in.layer = Layer::hard;
     in.M_ba = 1402.294 * N_m, in.M_tm = 1336.902 * N_m, in.M_ta = 0.0 * N_m;
@@ -83,7 +83,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(std::abs(r.S_F - 2.568) < 5e-4);
   }
 
-  TEST_CASE("the safeties of an examination: a V-groove that yields, a cross hole") {
+  TEST_CASE("the safety factors of an examination: a V-groove that yields, a cross hole") {
     In in = of_steel(SteelGroup::structural, 360, 235, 80);
     in.notch = Notch::v_groove, in.d = 60.0 * mm, in.D = 80.0 * mm, in.R_z = 25.0 * um;
     in.F_zdm = 40e3 * N, in.F_zda = 0.0 * N, in.F_zdmax = 60e3 * N;
@@ -97,7 +97,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(std::abs(rated(in).S_F - 1.607) < 6e-4);  // 1.6065 there is rounded up
   }
 
-  TEST_CASE("a worksheet by others: every factor of a shoulder of 34CrMo4") {
+  TEST_CASE("a worksheet by another author: every factor of a shoulder of 34CrMo4") {
     In in = of_steel(SteelGroup::quenched_tempered, 1000, 800, 50);
     in.notch = Notch::shoulder, in.d = 42.0 * mm, in.D = 50.0 * mm, in.r = 5.0 * mm, in.R_z = 5.0 * um;
     in.mean = MeanStress::constant;
@@ -158,7 +158,7 @@ TEST_SUITE("fatigue.din743") {
     }
   }
 
-  TEST_CASE("size at heat treatment by group: three programs agree on the table, two are wrong in a row each") {
+  TEST_CASE("heat treatment diameter by group: three programs agree on the table, two have one wrong row each") {
     struct Row {
       SteelGroup group;
       double d, K_1B, K_1S;
@@ -180,7 +180,7 @@ TEST_SUITE("fatigue.din743") {
     }
   }
 
-  TEST_CASE("compression: a negative mean stress is one, helps less than it could, and never beyond yielding") {
+  TEST_CASE("compression: a negative mean stress counts as such, helps less than it could, and never beyond yielding") {
     In in = bar_of_40(Notch::shoulder, 50, 2);
     in.mean = MeanStress::constant;
     in.sigma_zdm = -120.0 * MPa, in.sigma_zdmax = 170.0 * MPa;
@@ -197,7 +197,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(rel(rated(in).S_D, 1.5145361426) < 1e-9);
   }
 
-  TEST_CASE("a mean stress that stays leaves no more than what is left to yielding") {
+  TEST_CASE("a constant mean stress leaves no more amplitude than what remains up to yielding") {
     In in = bar_of_40(Notch::shoulder, 50, 2);
     in.mean = MeanStress::constant;
     in.sigma_zdm = in.sigma_zda = in.sigma_zdmax = in.tau_tm = in.tau_ta = in.tau_tmax = unset<Stress>;
@@ -205,7 +205,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(rel(rated(in).S_D, 3.18311684653) < 1e-9);  // by the independent program: (1.32 sigma_Sd - 680 MPa)/20 MPa
   }
 
-  TEST_CASE("in bending and torsion the sign of the mean is of no account: there is a fibre of either sign") {
+  TEST_CASE("in bending and torsion the sign of the mean stress does not matter: there is a fibre of either sign") {
     In in = bar_of_40(Notch::shoulder, 50, 2);
     const double S_D = rated(in).S_D;
     in.sigma_bm = -in.sigma_bm, in.tau_tm = -in.tau_tm, in.sigma_bmax = -in.sigma_bmax;
@@ -220,7 +220,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(rel(rated(in).S_D, 0.724297327858) < 1e-9);
   }
 
-  TEST_CASE("hollow: moduli, and less support of the section") {
+  TEST_CASE("hollow: section moduli, and less support of the section") {
     In in = bar_of_40(Notch::smooth);
     in.d_bore = 20.0 * mm;
     CHECK(rel(rated(in).S_F, 2.57706548736) < 1e-9);
@@ -234,7 +234,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(rel(in_si(r.stresses[1].sigma_a), 2 * in_si(r.stresses[2].sigma_a)) < 1e-12);
   }
 
-  TEST_CASE("strengths as they are in this size do as well as those at the reference diameter with K_1") {
+  TEST_CASE("strengths for the actual size give the same as those at the reference diameter with K_1") {
     In in = bar_of_40(Notch::shoulder, 50, 2);
     const auto base = rated(in);
     in.group = SteelGroup::none;
@@ -247,7 +247,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(rel(rated(in).S_D, base.S_D) < 1e-12);
   }
 
-  TEST_CASE("notch factors that are typed: of tests on bars of another size and roughness, or alpha without support") {
+  TEST_CASE("typed notch factors: from tests on bars of another size and roughness, or alpha without support") {
     In in = bar_of_40(Notch::v_groove, 48, no);
     const auto base = rated(in);
     const double sigma_B = in_MPa(base.sigma_Bd);
@@ -265,7 +265,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(rated(round).stresses[1].beta == by_shape.stresses[1].alpha);
   }
 
-  TEST_CASE("of two ways in which a load grows, that with its mean leaves the smaller safety at a tensile mean") {
+  TEST_CASE("of the two ways in which a load grows, the one with its mean is less safe at a tensile mean") {
     for (const double mean : {0.0, 20.0, 100.0, 300.0, 500.0}) {
       In in = bar_of_40(Notch::shoulder, 50, 2);
       in.sigma_bm = mean * MPa, in.sigma_zda = 1.0 * MPa, in.sigma_ba = 20.0 * MPa, in.tau_ta = 5.0 * MPa;
@@ -289,7 +289,7 @@ TEST_SUITE("fatigue.din743") {
           }) == 1);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string steel = "group = \"structural\"\nsigma_B = \"470 MPa\"\nsigma_S = \"355 MPa\"\n";
     const std::string bar = "notch = \"smooth\"\nd = \"40 mm\"\nR_z = \"6.3 um\"\nmean = \"proportional\"\n";
     const std::string shoulder = "notch = \"shoulder\"\nd = \"40 mm\"\nmean = \"proportional\"\nM_ba = \"9 N*m\"\n";

@@ -55,7 +55,7 @@ TEST_SUITE("fatigue.endurance") {
     }
   }
 
-  TEST_CASE("half of R_m grows to 700 MPa and no further") {
+  TEST_CASE("half of R_m applies up to R_m of 700 MPa and no further") {
     E::Input in = shoulder();
     in.R_m = 1400.0 * MPa;
     CHECK(rel(in_si(limit(in).sigma_m1), 700e6) < 1e-12);
@@ -87,7 +87,7 @@ TEST_SUITE("fatigue.endurance") {
     CHECK(rel(in_si(r.sigma_D), 345e6 * r.k_a * r.k_b / r.K_f) < 1e-12);
   }
 
-  TEST_CASE("a smooth polished specimen keeps its limit in Serensen's school") {
+  TEST_CASE("a smooth polished specimen keeps its fatigue limit in Serensen's school") {
     E::Input in;
     in.R_m = 600.0 * MPa;
     CHECK(limit(in).K_D == 1.0);
@@ -112,7 +112,7 @@ TEST_SUITE("fatigue.endurance") {
     CHECK(rel(limit(in).epsilon, 0.8) < 1e-12);
   }
 
-  TEST_CASE("larger, rougher, sharper parts are weaker, hardened ones stronger") {
+  TEST_CASE("larger, rougher, sharper parts are weaker, surface-hardened ones stronger") {
     E::Input in;
     in.R_m = 700.0 * MPa;
     in.rule = E::RuleOf::din743;
@@ -130,7 +130,7 @@ TEST_SUITE("fatigue.endurance") {
     CHECK_FALSE(weaker([](E::Input& o) { o.beta_V = 1.3; }));
   }
 
-  TEST_CASE("the notch is counted once: K_f in place of K_t and q changes nothing") {
+  TEST_CASE("the notch is applied once: K_f in place of K_t and q changes nothing") {
     E::Input in = shoulder();
     const auto by_radius = limit(in);
     in.r_n = unset<Length>, in.K_t = 1.0;
@@ -226,7 +226,7 @@ TEST_SUITE("fatigue.endurance") {
     CHECK(rel(limit(in).K_f, 1 + 0.65 * 0.2) < 1e-12);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string steel = "R_m = \"600 MPa\"\ngroup = \"carbon-steel\"\n";
     CHECK(says("group = \"carbon-steel\"\nloading = \"bending\"\n", "give the tensile strength"));
     CHECK(says(steel + "loading = \"torsion\"\n", "in bending only"));

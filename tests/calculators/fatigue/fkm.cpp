@@ -212,7 +212,7 @@ TEST_SUITE("fatigue.fkm") {
     CHECK(rated(alone).u_D == beyond);
   }
 
-  TEST_CASE("a hard layer is brittle and has no plastic support; across the fibre steel is weaker") {
+  TEST_CASE("a hard layer is brittle and has no plastic support; steel is weaker transverse to the rolling direction") {
     In in = shoulder();
     in.steel = FkmSteelGroup::case_hardening, in.R_mN = 700.0 * MPa, in.R_eN = 450.0 * MPa;
     in.layer = Layer::hard, in.K_V = 1.3;
@@ -226,7 +226,7 @@ TEST_SUITE("fatigue.fkm") {
     CHECK(rel(rated(in).u_S, 0.5796481633956707) < 1e-9);
   }
 
-  TEST_CASE("no notch: tension bears f_W R_m, bending more, by the gradient over the diameter") {
+  TEST_CASE("no notch: tension carries f_W R_m, bending more, by the gradient over the diameter") {
     In in = smooth(900);
     in.sigma_ba = unset<Stress>, in.sigma_zda = 50.0 * MPa;
     CHECK(rel(in_MPa(rated(in).stresses[0].sigma_WK), 405) < 1e-12);
@@ -237,7 +237,7 @@ TEST_SUITE("fatigue.fkm") {
     CHECK(rel(thin.stresses[0].n_d, 1.1037890815556213) < 1e-12);
   }
 
-  TEST_CASE("plastic support: rings by quadrature, no more than the strain that is allowed gives") {
+  TEST_CASE("plastic support: rings by quadrature, no more than the allowable strain gives") {
     In in = smooth(400);
     in.d_bore = 20.0 * mm, in.tau_ta = 10.0 * MPa, in.R_pmax = 11e3 * MPa;
     auto r = rated(in);
@@ -249,7 +249,7 @@ TEST_SUITE("fatigue.fkm") {
     CHECK(rated(in).stresses[0].n_pl == 1.0);
   }
 
-  TEST_CASE("a notch does not strengthen, and measured ones are not helped by the gradient of bending") {
+  TEST_CASE("a notch does not strengthen, and measured factors are not improved by the bending gradient") {
     In in = shoulder();
     in.notch = Notch::alpha, in.D = unset<Length>, in.r = unset<Length>;
     in.alpha_b = 1.02, in.alpha_t = 1.0, in.G_b = 50e3 * per_m, in.G_t = 50e3 * per_m;
@@ -268,7 +268,7 @@ TEST_SUITE("fatigue.fkm") {
     CHECK(rel(rated(like).stresses[0].K_f, b * K_3(40) / K_3(42)) < 1e-12);
   }
 
-  TEST_CASE("in bending and torsion the sign of the mean is of no account, in tension it is") {
+  TEST_CASE("in bending and torsion the sign of the mean stress does not matter, in tension it does") {
     In in = shoulder();
     in.M_bm = 200.0 * N_m;
     const double u_D = rated(in).u_D;
@@ -285,7 +285,7 @@ TEST_SUITE("fatigue.fkm") {
           }()) < 1e-12);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string steel = "steel = \"structural\"\nR_mN = \"470 MPa\"\nR_eN = \"355 MPa\"\noverload = \"F2\"\n";
     const std::string bar = "notch = \"smooth\"\nd = \"40 mm\"\nR_z = \"6.3 um\"\n";
     const std::string load = "M_ba = \"100 N*m\"\n";

@@ -106,7 +106,7 @@ TEST_SUITE("fatigue.history") {
     }
   }
 
-  TEST_CASE("one turn repeats: its cycle is whole, and begins anywhere") {
+  TEST_CASE("one revolution repeats: its cycle is complete, and may start anywhere") {
     Axis turn;
     turn.quantity = "crank angle";
     turn.period = 2.0 * std::numbers::pi, turn.speed = 10.0 * std::numbers::pi;
@@ -128,7 +128,7 @@ TEST_SUITE("fatigue.history") {
     CHECK(!History::may_be_left(in));
   }
 
-  TEST_CASE("each factor counts once, as a power of the slope") {
+  TEST_CASE("each factor acts once, as a power of the slope") {
     In in = of_part(100, 1e6, 5);
     in.miner = History::MinerRule::elementary;
     in.blocks = {{{}, 80.0 * MPa, 30.0 * MPa, 1000}};
@@ -143,7 +143,7 @@ TEST_SUITE("fatigue.history") {
     CHECK(rel(counted(in).u_y, 1.2 * 110.0 / 400.0) < 1e-12);
   }
 
-  TEST_CASE("shear has its own strengths against its mean stress") {
+  TEST_CASE("shear has its own strengths for its mean stress") {
     In in = of_part(110, 1e6, 5);
     in.stress = Stresses::shear, in.mean = History::Means::soderberg, in.R_m = 690.0 * MPa, in.R_e = 490.0 * MPa;
     in.blocks = {{{}, 60.0 * MPa, -200.0 * MPa, 1}};
@@ -156,7 +156,7 @@ TEST_SUITE("fatigue.history") {
     CHECK(!History::mean_suits(in));
   }
 
-  TEST_CASE("rules for small cycles keep their order") {
+  TEST_CASE("Miner's rules for small cycles are in the order of their damage") {
     In in = of_part(100, 1e6, 6);
     in.blocks = {{{}, 150.0 * MPa, 0.0 * MPa, 100}, {{}, 80.0 * MPa, 0.0 * MPa, 1e5}, {{}, 55.0 * MPa, 0.0 * MPa, 1e6}};
     const auto r = counted(in);
@@ -168,7 +168,7 @@ TEST_SUITE("fatigue.history") {
     CHECK(rel(r.D_modified, 100e-6 * std::pow(1.5, 6) + 0.1 * std::pow(0.8, 11) + std::pow(0.55, 11)) < 1e-12);
   }
 
-  TEST_CASE("a long history has the damage of its count, and other rules on request alone") {
+  TEST_CASE("a long history has the damage of its count, and other rules only on request") {
     Axis axis;
     std::vector<double> values;
     std::mt19937_64 random(7);
@@ -207,7 +207,7 @@ TEST_SUITE("fatigue.history") {
     CHECK(!is_set(original.D_LZ));
   }
 
-  TEST_CASE("details: at the limit of constant amplitude nothing fails, with one larger cycle it counts") {
+  TEST_CASE("details: nothing fails at the constant amplitude limit, and the limit drops with one larger cycle") {
     In in;
     in.curve = History::Curve::en1993, in.sigma_C = 71.0 * MPa;
     in.blocks = {{{}, 26.0 * MPa, 0.0 * MPa, 1e6}};
@@ -221,7 +221,7 @@ TEST_SUITE("fatigue.history") {
     CHECK(rel(counted(in).D, 1e6 / 2e6 * std::pow(0.52, 5) + std::pow(0.6, 5) / 2e6) < 1e-9);
   }
 
-  TEST_CASE("a file is as long as it is: forms, columns, units") {
+  TEST_CASE("a file may have any length: forms, columns, units") {
     const test::Desk desk;
     const auto& folder = desk.folder();
     const std::vector<double> values{0, 1.5, 0.5, 3, -2, 1, -1, 2.5, 0};
@@ -255,7 +255,7 @@ TEST_SUITE("fatigue.history") {
     CHECK(errors_of_history("{ values = [1, 2], unit = \"MPa\", column = 1 }").size() > 0);
   }
 
-  TEST_CASE("the worst cycle stands where it is in the file") {
+  TEST_CASE("the worst cycle is reported at its place in the file") {
     const auto project = of_history(R"({ values = [0, 10, 9, 10, 4, 4, 20, -30, 5, 0], unit = "10 MPa" })");
     CHECK(value_of(project, "worst[1].from") == 6.0);
     CHECK(value_of(project, "worst[1].to") == 7.0);
@@ -287,7 +287,7 @@ TEST_SUITE("fatigue.history") {
               .find("classes sort the cycles of a series") != std::string::npos);
   }
 
-  TEST_CASE("what is left open passes nothing") {
+  TEST_CASE("missing input does not pass") {
     CHECK(mode_with("fatigue.history", "n_req = ", "fatigue") == "not-judged");
     CHECK(mode_with("fatigue.history", "mean = \"none\"", "mean") == "not-judged");
     CHECK(mode_with("fatigue.history", "n_req = 1e9", "fatigue") == "fail");
@@ -301,7 +301,7 @@ TEST_SUITE("fatigue.history") {
                     "fatigue") == "not-covered");
   }
 
-  TEST_CASE("a history of a mechanism: one turn, whole") {
+  TEST_CASE("a history of a mechanism: one complete revolution") {
     const auto project = solved_as_found(R"P([press]
 calculator = "mechanism.planar"
 template = "toggle_press"
@@ -330,7 +330,7 @@ k = 5
     CHECK(rel(si("L"), si("Z") * 2.0) < 1e-9);  // 30 turns a minute
   }
 
-  TEST_CASE("what is left out of the count passes nothing") {
+  TEST_CASE("nothing passes that is left out of the count") {
     const std::string more = part + "n_req = 1\n";
     const std::string wave = R"({ values = [-80, 90, -60, 70, -80], unit = "MPa" })";
     CHECK(mode_of(of_history(wave, more), "h", "fatigue") == "pass");
@@ -340,7 +340,7 @@ k = 5
     CHECK(mode_of(of_history(wave, more + "residue = \"half-cycles\""), "h", "residue") == "none");
   }
 
-  TEST_CASE("rules refuse what contradicts") {
+  TEST_CASE("contradictory rules are refused") {
     CHECK(errors_of_history("\"40 MPa\"").find("not a load history") != std::string::npos);
     CHECK(errors_of_history(R"({ values = [50], unit = "MPa" })").find("has one value") != std::string::npos);
     CHECK(errors_of_history(R"({ values = [0, 300], unit = "MPa" })",

@@ -73,7 +73,7 @@ TEST_SUITE("fatigue.life") {
     CHECK(std::abs(life(in).b_N + 0.084828) < 5e-7);
   }
 
-  TEST_CASE("the load times its safety is at the border of every rule, and so is the amplitude that is left") {
+  TEST_CASE("the load times its safety factor is at the limit of every rule, and so is the remaining amplitude") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> share(0.05, 0.8);
     for (int i = 0; i < 200; ++i) {
@@ -103,7 +103,7 @@ TEST_SUITE("fatigue.life") {
     }
   }
 
-  TEST_CASE("without a mean stress all rules say the same; compression says nothing more, but to FKM where it may") {
+  TEST_CASE("without a mean stress all rules agree; compression has no effect, except for FKM where allowed") {
     L::Input in = steel();
     in.sigma_m = 0.0 * MPa;
     for (const auto& row : life(in).rules) CHECK(rel(row.n, 1.9) < 1e-12);
@@ -129,7 +129,7 @@ TEST_SUITE("fatigue.life") {
     }
   }
 
-  TEST_CASE("shear is held against shear: 0.67 R_m in the finite-life line, R_e over the root of 3 by Soderberg") {
+  TEST_CASE("shear is compared with shear: 0.67 R_m in the finite-life line, R_e over the root of 3 by Soderberg") {
     L::Input in = steel();
     in.stress = Stresses::shear, in.rule = MeanRule::soderberg, in.f = 0.9;
     CHECK(rel(life(in).n, 1 / (100 / 190.0 + 80 * std::sqrt(3.0) / 490)) < 1e-12);
@@ -145,7 +145,7 @@ TEST_SUITE("fatigue.life") {
     }
   }
 
-  TEST_CASE("psi of steels by their strength, half of it in shear; the last field of FKM runs level") {
+  TEST_CASE("psi of steels by their strength, half of it in shear; the last field of FKM is constant") {
     L::Input in = steel();
     in.rule = MeanRule::serensen;
     CHECK(rel(in_si(life(in).sigma_ar), (100 + 0.158 * 80) * 1e6) < 1e-12);  // 0.02 + 0.0002 690
@@ -161,7 +161,7 @@ TEST_SUITE("fatigue.life") {
     }
   }
 
-  TEST_CASE("the fields of FKM meet where they do") {
+  TEST_CASE("the fields of FKM meet at their borders") {
     L::Input in = steel();
     in.rule = MeanRule::fkm;
     for (const double r : {0.0, 0.5}) {
@@ -173,7 +173,7 @@ TEST_SUITE("fatigue.life") {
     }
   }
 
-  TEST_CASE("lines of finite life agree with the curves that histories are counted on") {
+  TEST_CASE("lines of finite life agree with the curves for counted histories") {
     for (const double amplitude : {200.0, 260.0, 330.0, 500.0}) {
       L::Input in = steel();
       in.sigma_a = amplitude * MPa, in.sigma_m = 0.0 * MPa;
@@ -185,7 +185,7 @@ TEST_SUITE("fatigue.life") {
     }
   }
 
-  TEST_CASE("a life and its strength are one thing; the safety of that life is what the strength says") {
+  TEST_CASE("a life and its strength are consistent; the safety factor of that life follows from the strength") {
     for (const auto line : {L::Line::shigley, L::Line::slope, L::Line::basquin}) {
       L::Input in = steel();
       in.sigma_a = 240.0 * MPa;
@@ -200,7 +200,7 @@ TEST_SUITE("fatigue.life") {
     }
   }
 
-  TEST_CASE("what S_D times the load needs and lasts") {
+  TEST_CASE("S_D times the load has the required strength and life") {
     L::Input in = steel();
     const auto r = life(in);
     CHECK(rel(in_si(r.S_req), 1.5 * 100e6 / (1 - 1.5 * 80 / 690.0)) < 1e-12);
@@ -213,7 +213,7 @@ TEST_SUITE("fatigue.life") {
     CHECK(rel(life(in).u_D, 1.5 * 130 / (190 * (1 - 80 / 690.0))) < 1e-12);
   }
 
-  TEST_CASE("a mean stress that breaks the part leaves no amplitude, no life, and no number that is none") {
+  TEST_CASE("a mean stress that breaks the part leaves no amplitude, no life, and only valid numbers") {
     for (const auto& rule : choices_of(MeanRule{})) {
       L::Input in = steel();
       in.rule = rule.value, in.mean = fatigue::MeanStress::constant;
@@ -225,7 +225,7 @@ TEST_SUITE("fatigue.life") {
     }
   }
 
-  TEST_CASE("non-ferrous metals last as long as their limit is told") {
+  TEST_CASE("non-ferrous metals last as long as their limit is stated for") {
     L::Input in = steel();
     in.group = L::Group::wrought_aluminium;
     in.R_m = 470.0 * MPa, in.R_e = 325.0 * MPa, in.sigma_D = 140.0 * MPa, in.f = 0.8, in.N = 1e7;
@@ -236,7 +236,7 @@ TEST_SUITE("fatigue.life") {
     CHECK(life(in).x_D == 2.0);
   }
 
-  TEST_CASE("grey iron is held against its tensile strength") {
+  TEST_CASE("grey iron is assessed by its tensile strength") {
     L::Input in = steel();
     in.group = L::Group::grey_iron, in.R_e = unset<Stress>, in.R_m = 250.0 * MPa, in.sigma_D = 80.0 * MPa;
     in.K_m = 1.4, in.sigma_a = 20.0 * MPa, in.sigma_m = 40.0 * MPa;
@@ -244,7 +244,7 @@ TEST_SUITE("fatigue.life") {
     CHECK(rel(life(in).n, 1 / (20 / 80.0 + 1.4 * 40 / 250)) < 1e-12);
   }
 
-  TEST_CASE("\"?\" finds the amplitude and the cycles that a referred fatigue limit bears") {
+  TEST_CASE("\"?\" finds the amplitude and the cycles that a referred fatigue limit allows") {
     const auto found = [](const std::string& lines, const std::string& path) {
       std::vector<Issue> issues;
       project::Project project = project::read_project(
@@ -266,7 +266,7 @@ TEST_SUITE("fatigue.life") {
     CHECK(rel(N, life(in).N_f) < 0.01);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string cycle = "sigma_a = \"100 MPa\"\nsigma_m = \"50 MPa\"\n";
     const std::string rod = cycle + "sigma_D = \"190 MPa\"\ngroup = \"carbon-steel\"\n", R_m = "R_m = \"690 MPa\"\n";
     CHECK(says(rod, "needs the tensile strength"));

@@ -75,9 +75,7 @@ std::string errors_of(const std::string& lines) {
 }  // namespace
 
 TEST_SUITE("fatigue.multiaxial") {
-  TEST_CASE(
-      "hard steel of Nishihara and Kawamoto, by Crossland in closed form and its published error index, and by all "
-      "planes, against tensors, a grid over the sphere and Welzl's circle elsewhere") {
+  TEST_CASE("hard steel of Nishihara and Kawamoto, by Crossland in closed form and by all planes computed elsewhere") {
     struct Test {
       double sigma_a, tau_a, lag, index;  // index in % of [Papadopoulos], recalled
       double n_F, n_M, n_DV;
@@ -139,7 +137,7 @@ TEST_SUITE("fatigue.multiaxial") {
     CHECK(rel(numerics::smallest_ball<3>(16, corners).radius, h) < 1e-14);
   }
 
-  TEST_CASE("axes of the surface may be turned, the path shifted in time and its samples named twice") {
+  TEST_CASE("the axes of the surface may be rotated, the path shifted in time and its samples repeated") {
     const Axis axis = samples(24), twice = samples(48);
     In in = of_metal(300.0, 190.0);
     const auto x = sine(24, 120.0, 0.0, 40.0), y = sine(24, 60.0, 50.0), xy = sine(24, 80.0, 110.0, -20.0);
@@ -165,7 +163,7 @@ TEST_SUITE("fatigue.multiaxial") {
     }
   }
 
-  TEST_CASE("planes across the surface are looked at too: two equal tensions shear it at 45 degrees") {
+  TEST_CASE("planes inclined to the surface are searched too: two equal tensions shear it at 45 degrees") {
     const Axis axis = samples(2);
     In in = of_metal(240.0, 150.0);
     in.sigma_x = series(axis, {200, -200}), in.sigma_y = series(axis, {200, -200});
@@ -176,7 +174,7 @@ TEST_SUITE("fatigue.multiaxial") {
     CHECK(rel(in_si(r.tau_C), 200e6 / std::sqrt(3.0)) < 1e-12);
   }
 
-  TEST_CASE("what is typed is kept in step, sample beside sample; what turns at other places is not mixed up") {
+  TEST_CASE("typed stresses are paired sample by sample; series over other positions are not mixed") {
     const std::string y = "tau_xy = { values = [0, 50, 100, 50, 0, -50, -100, -50], unit = \"MPa\" }\n";
     const auto p = solved_as_found(
         "[p]\ncalculator = \"fatigue.multiaxial\"\nsigma_D = \"240 MPa\"\ntau_D = \"150 MPa\"\nS_D = 1\n" + y +
@@ -210,7 +208,7 @@ TEST_SUITE("fatigue.multiaxial") {
               .find("more than 5000 samples") != std::string::npos);
   }
 
-  TEST_CASE("a turn whose positions miss its extremes is refused") {
+  TEST_CASE("a revolution whose positions miss its extremes is refused") {
     Axis turn;
     turn.step = "crank", turn.quantity = "crank angle", turn.period = 2.0 * std::numbers::pi;
     In in = of_metal(240.0, 150.0);
@@ -226,7 +224,7 @@ TEST_SUITE("fatigue.multiaxial") {
     CHECK(!Multiaxial::in_step(in));
   }
 
-  TEST_CASE("what is left open passes nothing") {
+  TEST_CASE("missing input does not pass") {
     const auto state = [](const std::string& lines, const char* mode) {  // over few samples, which take less time
       return mode_with("fatigue.multiaxial",
                        "sigma_x = { values = [0, 80, 0, -80], unit = \"MPa\" }\n"

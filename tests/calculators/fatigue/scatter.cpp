@@ -30,7 +30,7 @@ Staircase::Result solved(const Staircase::Input& in) {
 }  // namespace
 
 TEST_SUITE("fatigue.scatter") {
-  TEST_CASE("failures are the rarer outcome, and too close together to tell a scatter: [Ekaputra]") {
+  TEST_CASE("failures are the rarer outcome, and too close together for a scatter: [Ekaputra]") {
     const auto r = solved(tested({260, 280, -300, 280, -300, 280, -300, -280, 260, -280, 260, 280}));
     CHECK(r.N == 5.0);
     CHECK(r.A == 3.0);  // from 280 MPa on; the print counts from 260 MPa, 8 and 14
@@ -69,7 +69,7 @@ TEST_SUITE("fatigue.scatter") {
     CHECK(rel(plain.T_S, (S_50 + wide) / (S_50 - wide)) < 1e-12);
   }
 
-  TEST_CASE("what is no staircase is refused") {
+  TEST_CASE("data that are not a staircase are refused") {
     CHECK(!Staircase::goes_up_and_down(tested({260, 240, -260, 280})));  // a run-out, and lower
     CHECK(!Staircase::goes_up_and_down(tested({260, 280, -290, 270})));
     CHECK(!Staircase::goes_up_and_down(tested({260})));
@@ -83,7 +83,7 @@ TEST_SUITE("fatigue.scatter") {
     CHECK((!is_set(r.S_P) || in_si(r.S_P) > 0.0));
   }
 
-  TEST_CASE("strength, life and knee at 10 and 90 % as the tests of pylife have them") {
+  TEST_CASE("strength, life and knee at 10 and 90 % agree with the tests of pylife") {
     Survival::Input in;
     in.sigma_0 = 300.0 * std::sqrt(2.0) * MPa, in.N_0 = 3e6, in.T_S = 2.0, in.T_N = 9.0, in.k = 2.0;
     NoTrace trace;

@@ -58,7 +58,7 @@ TEST_SUITE("fatigue.wohler") {
     CHECK(rel(r.T_N, 1.0) < 1e-9);
   }
 
-  TEST_CASE("pairs off the line by one factor leave the line, and the scatter is theirs") {
+  TEST_CASE("pairs off the line by one factor do not change the line, and their scatter is that factor") {
     const auto r = fitted(on_a_line(1.5));
     CHECK(rel(r.k, 5.0) < 1e-12);
     CHECK(rel(r.s, std::log10(1.5) * std::sqrt(8.0 / 6.0)) < 1e-12);
@@ -66,7 +66,7 @@ TEST_SUITE("fatigue.wohler") {
     CHECK(rel(std::pow(r.T_S, 5.0), r.T_N) < 1e-12);
   }
 
-  TEST_CASE("run-outs and what fails at their level stay out of the line; the limit lies half-way") {
+  TEST_CASE("run-outs and failures at their level are left out of the line; the limit is half-way") {
     auto in = on_a_line(1.2);
     const auto without = fitted(in);
     in.tests.push_back({340.0 * MPa, 1e7, W::End::runout});
@@ -79,7 +79,7 @@ TEST_SUITE("fatigue.wohler") {
     CHECK(rel(r.N_D, 1e6 * std::pow(400.0 / 355, 5)) < 1e-9);
   }
 
-  TEST_CASE("lives at a stress, and none at and below the fatigue limit") {
+  TEST_CASE("lives at a stress, and none at or below the fatigue limit") {
     auto in = on_a_line(1.2);
     in.S = 500.0 * MPa;
     in.P_s = 0.9;
@@ -115,7 +115,7 @@ TEST_SUITE("fatigue.wohler") {
           account::State::pass);
   }
 
-  TEST_CASE("stresses in another measure leave the slope and the scatter") {
+  TEST_CASE("stresses in another unit do not change the slope and the scatter") {
     auto in = on_a_line(1.3);
     const auto r = fitted(in);
     for (auto& t : in.tests) t.S = 6.894757 * t.S;
@@ -123,7 +123,7 @@ TEST_SUITE("fatigue.wohler") {
     CHECK(rel(fitted(in).s, r.s) < 1e-12);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     CHECK(says("tests = [[\"400 MPa\", 1e5], [\"300 MPa\", 1e6]]\n", "at least three failures"));
     CHECK(says("tests = [[\"400 MPa\", 1e5], [\"350 MPa\", 5e5], [\"300 MPa\", 1e6], [\"350 MPa\", 1e7, \"runout\"]]\n",
                "at least three failures"));

@@ -96,7 +96,7 @@ TEST_SUITE("gear bevel") {
     CHECK(std::abs(r.delta_1 * 180 / pi - 18.435) < 0.0005);
   }
 
-  TEST_CASE("the rating computed apart in inches and pounds") {
+  TEST_CASE("the rating computed independently in inches and pounds") {
     const auto r = solve(rated());
     const double digits = 2e-6;  // 1 psi is 0.00689476 MPa
     CHECK(rel(r.K_v, 1.1909158) < 1e-7);
@@ -130,7 +130,7 @@ TEST_SUITE("gear bevel") {
     }
   }
 
-  TEST_CASE("the shaft loads hold the pinion back that drives, and carry the gear along") {
+  TEST_CASE("the loads of the shafts brake the driving pinion and drive the gear") {
     Bevel::Input in = rated();
     const auto r = solve(in);
     CHECK(rel(in_si(r.gear_1.F_y), -1.5 * in_si(r.F_t)) < 1e-12);  // counter-clockwise: +y at the mesh
@@ -154,7 +154,7 @@ TEST_SUITE("gear bevel") {
     CHECK(rel(r.z_v2, r.z_v1) < 1e-12);
   }
 
-  TEST_CASE("life factors of few cycles, a hot gear, idlers and small reliability") {
+  TEST_CASE("life factors of few cycles, a hot gear, idlers and low reliability") {
     Bevel::Input in = rated();
     in.N = 900;
     auto r = solve(in);
@@ -171,7 +171,7 @@ TEST_SUITE("gear bevel") {
     CHECK(rel(solve(in).K_T, 760.0 / 710.0) < 1e-12);
   }
 
-  TEST_CASE("wrong gears are named with their remedy") {
+  TEST_CASE("wrong gears are reported with their remedy") {
     const std::string teeth = "z_1 = 20\nz_2 = 40\nb = \"20 mm\"\n";
     says("z_1 = 40\nz_2 = 20\nb = \"20 mm\"\n", "gear 1 is the pinion");
     says("z_1 = 20\nz_2 = 40\nb = \"60 mm\"\n", "less than half the outer cone distance R_e = ");

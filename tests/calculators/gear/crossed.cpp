@@ -55,7 +55,7 @@ bool says(const std::string& lines, const std::string& part) {
 }  // namespace
 
 TEST_SUITE("gear crossed") {
-  TEST_CASE("forces, efficiencies, sliding and path of contact, computed apart by vectors") {
+  TEST_CASE("forces, efficiencies, sliding and path of contact, computed independently by vectors") {
     const Apart all[] = {
         {20, 40, 2, 45, 45, -0.7068894312598676, 0.6220366175174818, -0.6220366175174818, 0.7068894312598676,
          0.8799631031529852, 0.8799631031529855, 5.256699647564629, 5.5124090560097425, 1.4142135623730951},
@@ -134,7 +134,7 @@ TEST_SUITE("gear crossed") {
     CHECK(rel(in_si(solve(in).C), 2 * C) < 1e-12);
   }
 
-  TEST_CASE("gears lock where the reverse efficiency is gone") {
+  TEST_CASE("gears lock where the reverse efficiency is zero or less") {
     auto in = gears(20, 40, 2, 75, 15);
     in.locking = Crossed::Locking::required;
     in.mu = std::cos(pi / 9) / std::tan(75 * pi / 180);
@@ -144,7 +144,7 @@ TEST_SUITE("gear crossed") {
     CHECK(r.eta > 0.0);
   }
 
-  TEST_CASE("wrong crossed helical gears are named with their remedy") {
+  TEST_CASE("wrong crossed helical gears are reported with their remedy") {
     const std::string right = "beta_1 = \"45 deg\"\nbeta_2 = \"45 deg\"\nmu = 0.06\n";
     says("beta_1 = \"20 deg\"\nbeta_2 = \"-20 deg\"\nmu = 0.06\n", "use gear.pair for parallel shafts");
     says("beta_1 = \"5 deg\"\nbeta_2 = \"75 deg\"\nmu = 0.3\n", "gear 1 cannot drive gear 2");

@@ -54,7 +54,7 @@ std::string faults(const std::string& lines) {
 }  // namespace
 
 TEST_SUITE("gear cycloidal") {
-  TEST_CASE("addendum and radius factors of the table of BS 978-2, of 6 to 16 leaves") {
+  TEST_CASE("addendum and radius factors of the table of BS 978-2, for 6 to 16 leaves") {
     struct Factors {
       int leaves;
       double ratio, addendum, radius;
@@ -102,7 +102,7 @@ TEST_SUITE("gear cycloidal") {
     CHECK(rel(in_mm(solve(clock_pair(11, 4)).s_1), 1.25) < 1e-12);
   }
 
-  TEST_CASE("thin pins carry longer, thick ones leave low teeth") {
+  TEST_CASE("thin pins stay in contact longer, thick ones leave low teeth") {
     double last = 10.0;
     for (const double diameter : {0.01, 1.0, 2.0, 3.0, 4.0, 5.0}) {
       const auto r = solve(lantern(10, 60, 2.0, diameter));

@@ -69,7 +69,7 @@ bool says(const std::string& lines, const std::string& part) {
 }  // namespace
 
 TEST_SUITE("gear pair") {
-  TEST_CASE("teeth that no profile shift makes have no bending stress and no picture") {
+  TEST_CASE("teeth that no profile shift can make have no bending stress and no figure") {
     gear::Pair::Input in = helical();
     in.m_n = 1.0 * mm;
     const auto far = solve(in);
@@ -85,7 +85,7 @@ TEST_SUITE("gear pair") {
     CHECK_FALSE(is_set(none.sigma_F1));
   }
 
-  TEST_CASE("a strength of running gears without a cutting: no velocity factor, which is said") {
+  TEST_CASE("a strength of running gears without a tooth finish: no velocity factor, which is reported") {
     const std::string runs =
         "z_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nb = \"28 mm\"\nT_1 = \"60 N*m\"\nsigma_adm_1 = \"200 MPa\"\n"
         "n_1 = \"1450 rpm\"\n";
@@ -103,7 +103,7 @@ TEST_SUITE("gear pair") {
     CHECK(rel(r.eps_alpha, 1.462942221534522) < 1e-10);
   }
 
-  TEST_CASE("a ring of 24 teeth around a wheel of 16 with the shift of [KHK-internal]") {
+  TEST_CASE("a ring gear of 24 teeth with a pinion of 16 and the shift of [KHK-internal]") {
     gear::Pair::Input in = pair_of(16, 24, 3);
     in.mesh = gear::Mesh::internal;
     in.x_2 = -0.516;
@@ -116,7 +116,7 @@ TEST_SUITE("gear pair") {
     CHECK(r.f_int > 0.0);
   }
 
-  TEST_CASE("the free length between tips of wheel and ring is that of the drawn circles") {
+  TEST_CASE("the free length between the tips of pinion and ring gear is that of the drawn circles") {
     gear::Pair::Input in = pair_of(16, 24, 3);
     in.mesh = gear::Mesh::internal;
     in.x_2 = -0.516;
@@ -136,7 +136,7 @@ TEST_SUITE("gear pair") {
     CHECK(std::abs(tips_of(in) - apart) < 1e-9);
   }
 
-  TEST_CASE("profile shifts give the distance, and the distance the shifts") {
+  TEST_CASE("profile shifts give the centre distance, and the centre distance the shifts") {
     gear::Pair::Input in = pair_of(17, 43, 4);
     in.beta = 15.0 * deg.one;
     in.x_1 = 0.4, in.x_2 = 0.1;
@@ -152,14 +152,14 @@ TEST_SUITE("gear pair") {
     CHECK(rel(large.eps_alpha, small.eps_alpha) < 1e-12);
   }
 
-  TEST_CASE("wheels of equal teeth without shift share everything") {
+  TEST_CASE("gears with equal teeth and without shift share everything equally") {
     const auto r = solve(pair_of(30, 30, 2));
     CHECK(r.d_a1 == r.d_a2);
     CHECK(rel(in_si(r.g_f), in_si(r.g_a)) < 1e-12);
     CHECK(rel(r.a_w / mm, 60) < 1e-12);
   }
 
-  TEST_CASE("a wheel against a rack is the limit of a mate with ever more teeth") {
+  TEST_CASE("a gear with a rack is the limit of a mate with ever more teeth") {
     gear::Pair::Input rack = pair_of(20, 0, 3);
     rack.mesh = gear::Mesh::rack;
     rack.x_1 = 0.2;
@@ -169,8 +169,7 @@ TEST_SUITE("gear pair") {
     CHECK(rel(solve(rack).a_w / mm, 30.6) < 1e-12);
   }
 
-  TEST_CASE(
-      "base-tangent lengths: 15.321 mm over 3 teeth of m 2, z 20 (machinecalcs.com); a tooth more adds a base pitch") {
+  TEST_CASE("base-tangent lengths: 15.321 mm over 3 teeth of m 2, z 20 (machinecalcs.com); one more tooth adds p_b") {
     gear::Pair::Input in = pair_of(20, 40, 2);
     in.k_W1 = 3;
     const auto r = solve(in);
@@ -187,14 +186,14 @@ TEST_SUITE("gear pair") {
     CHECK(std::abs(solve(in).s_n1 / mm - 17.8918) < 5e-5);
   }
 
-  TEST_CASE("undercut begins between 17 and 18 teeth without shift, and 16 are told as not covered") {
+  TEST_CASE("undercut begins between 17 and 18 teeth without shift, and 16 are reported as not covered") {
     CHECK(solve(pair_of(18, 60, 2)).x_min1 < 0.0);
     CHECK(solve(pair_of(17, 60, 2)).x_min1 > 0.0);
     CHECK(solve(pair_of(17, 60, 2)).x_free > -0.02);
     CHECK(solve(pair_of(16, 60, 2)).x_free < -0.02);
   }
 
-  TEST_CASE("much shift makes the tip pointed") {
+  TEST_CASE("a large shift makes the tip pointed") {
     gear::Pair::Input in = pair_of(10, 60, 2);
     in.x_1 = 0.5;
     CHECK(solve(in).s_a > 0.2);
@@ -202,7 +201,7 @@ TEST_SUITE("gear pair") {
     CHECK(solve(in).s_a < 0.2);
   }
 
-  TEST_CASE("a ring with few teeth more than its wheel collides with it away from the line of action") {
+  TEST_CASE("a ring gear with few teeth more than its pinion interferes with it away from the line of action") {
     gear::Pair::Input in = pair_of(60, 66, 2);
     in.mesh = gear::Mesh::internal;
     CHECK(solve(in).f_int < -0.3);
@@ -212,7 +211,7 @@ TEST_SUITE("gear pair") {
     CHECK(std::abs(solve(in).f_int + 0.2689) < 1e-4);
   }
 
-  TEST_CASE("backlash: closer wheels jam, further ones and thinner teeth play") {
+  TEST_CASE("backlash: a smaller centre distance jams, a larger one and thinner teeth give backlash") {
     gear::Pair::Input in = pair_of(20, 40, 3);
     in.x_2 = 0.0;
     in.a_w = 90.0 * mm;
@@ -248,7 +247,7 @@ TEST_SUITE("gear pair") {
     CHECK(solve(in).F_x1 == r.F_x1);
   }
 
-  TEST_CASE("each shaft takes its forces in its own frame: wheels part their shafts, a ring draws them together") {
+  TEST_CASE("each shaft takes its forces in its own frame: external gears push apart, a ring gear pulls together") {
     for (const auto mesh : {gear::Mesh::external, gear::Mesh::internal}) {
       gear::Pair::Input in = pair_of(20, 57, 2.5);  // d_w1 = 50 mm, d_w2 = 142.5 mm: 2400 N at 20 deg
       in.mesh = mesh, in.T_1 = 60.0 * N_m, in.K_A = 1.25;
@@ -285,7 +284,7 @@ TEST_SUITE("gear pair") {
     CHECK(rel(fast.sigma_F1 / one.sigma_F1, 1.0 + fast.v / m_per_s / 6.1) < 1e-14);
   }
 
-  TEST_CASE("a power is a torque at a speed, and an idler's teeth bear 0.7") {
+  TEST_CASE("a power is a torque at a speed, and an idler's teeth carry 0.7") {
     gear::Pair::Input in = helical();
     in.sigma_adm_1 = 150.0 * MPa;
     const auto torque = solve(in);
@@ -295,7 +294,7 @@ TEST_SUITE("gear pair") {
     CHECK(rel(solve(in).u_F1, torque.u_F1 / 0.7) < 1e-14);
   }
 
-  TEST_CASE("what a user can get wrong is told") {
+  TEST_CASE("wrong input is reported") {
     says("z_1 = 20\nm_n = \"2 mm\"\n", "two gears, or a gear and a ring gear, need z_2; a rack has no number of teeth");
     says("mesh = \"internal\"\nz_1 = 40\nz_2 = 30\nm_n = \"2 mm\"\n",
          "a ring gear must have more teeth than its mating gear");

@@ -76,7 +76,7 @@ TEST_SUITE("gear pair figure") {
     }
   }
 
-  TEST_CASE("the flanks that drive touch on the path of contact, with backlash too") {
+  TEST_CASE("the driving flanks touch on the path of contact, with backlash too") {
     for (const double beta : {0.0, 15.0}) {
       for (const Turns turns : {Turns::ccw, Turns::cw}) {
         for (Input in : {pair_of(20, 57), pair_of(20, 20), pair_of(20, 21), pair_of(20, 57, Mesh::internal),
@@ -117,7 +117,7 @@ TEST_SUITE("gear pair figure") {
     CHECK(std::fabs(figure::cross(e, C - axis_2(in))) == doctest::Approx(in_si(r.d_b2) / 2.0));
   }
 
-  TEST_CASE("the force of the flanks on gear 1 points along the line of action, against the way of the contact") {
+  TEST_CASE("the force of the flanks on gear 1 points along the line of action, against the motion of the contact") {
     for (const Turns turns : {Turns::ccw, Turns::cw}) {
       for (const Mesh mesh : {Mesh::external, Mesh::internal}) {
         Input in = pair_of(20, 57, mesh);
@@ -131,7 +131,7 @@ TEST_SUITE("gear pair figure") {
     }
   }
 
-  TEST_CASE("wheels turn against each other, a wheel in a ring with it") {
+  TEST_CASE("external gears turn in opposite directions, a pinion in a ring gear in the same") {
     const auto turns = [](const Input& in) {
       const auto t = drawing_of(figure_of(in)).views[0].turns;
       return t.at(0).counter_clockwise == t.at(1).counter_clockwise;
@@ -140,7 +140,7 @@ TEST_SUITE("gear pair figure") {
     CHECK(turns(pair_of(20, 57, Mesh::internal)));
   }
 
-  TEST_CASE("odd pairs: equal, one tooth more, a close ring, very fine, against a rack") {
+  TEST_CASE("unusual pairs: equal, one tooth more, a close ring gear, very fine, with a rack") {
     for (Input in : {pair_of(20, 20), pair_of(20, 21), pair_of(40, 50, Mesh::internal), pair_of(20, 1500),
                      pair_of(60, 0, Mesh::rack), pair_of(8, 200)}) {
       if (in.z_1 == 8) in.x_1 = 0.5;

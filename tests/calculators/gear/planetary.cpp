@@ -54,7 +54,7 @@ TEST_SUITE("gear planetary") {
     CHECK(rel(solve(in).i, 1.0 + 24.0 / 84.0) < 1e-15);
   }
 
-  TEST_CASE("speeds by rolling, not by the formula: the pitch points of a planet move with sun and ring") {
+  TEST_CASE("speeds by rolling, not by the formula: the pitch points of a planet move with sun and ring gear") {
     gear::Planetary::Input in = winch();
     in.fixed = Member::none;
     in.n_s = 700.0 * rpm, in.n_r = -130.0 * rpm;
@@ -92,7 +92,7 @@ TEST_SUITE("gear planetary") {
     }
   }
 
-  TEST_CASE("one torque gives the others, whichever is given") {
+  TEST_CASE("one torque gives the others, whichever one is given") {
     const auto by_sun = solve(winch());
     gear::Planetary::Input in = winch();
     in.T_s = unset<Moment>, in.T_c = by_sun.T_c;
@@ -109,7 +109,7 @@ TEST_SUITE("gear planetary") {
     CHECK(std::abs(in_si(r.P_loss)) < 1e-9);
   }
 
-  TEST_CASE("assembly: 24/30/84 takes three planets evenly, not five; 21/43/108 comes to one axis by shift only") {
+  TEST_CASE("assembly: 24/30/84 takes three equally spaced planets, not five; 21/43/108 is coaxial with shift only") {
     gear::Planetary::Input in = winch();
     CHECK(solve(in).spacing == gear::Planetary::Spacing::even);
     CHECK(solve(in).coaxial == gear::Planetary::Coaxial::exact);
@@ -121,7 +121,7 @@ TEST_SUITE("gear planetary") {
     CHECK(solve(in).spacing == gear::Planetary::Spacing::even);
   }
 
-  TEST_CASE("a ring of 50 about 24 and 30 comes to no axis; without its teeth it is the one that does") {
+  TEST_CASE("a ring gear of 50 with 24 and 30 is not coaxial; without its teeth the coaxial one is found") {
     gear::Planetary::Input in = winch();
     in.z_r = 50;
     CHECK(solve(in).z_gap == -34.0);
@@ -144,7 +144,7 @@ TEST_SUITE("gear planetary") {
     CHECK(solve(in).u_N == 0.0);
   }
 
-  TEST_CASE("what a user can get wrong is told") {
+  TEST_CASE("wrong input is reported") {
     says("", "give one speed if a member is fixed, otherwise two");
     says("n_s = \"100 rpm\"\nn_r = \"5 rpm\"\n", "this member is held");
     says("fixed = \"none\"\nn_s = \"100 rpm\"\n", "give one speed if a member is fixed, otherwise two");

@@ -52,7 +52,7 @@ double depth(const std::vector<Point>& points, const std::vector<Point>& other, 
 }  // namespace
 
 TEST_SUITE("gear planetary figure") {
-  TEST_CASE("no tooth of a planet lies in sun or ring, evenly spaced or not, with even and odd numbers of teeth") {
+  TEST_CASE("no tooth of a planet overlaps sun or ring gear, evenly spaced or not, with even and odd tooth numbers") {
     for (const Input& in :
          {set_of(24, 30, 3), set_of(25, 31, 3), set_of(24, 30, 4), set_of(30, 18, 6), set_of(21, 40, 3)}) {
       CAPTURE(in.N_p);
@@ -70,7 +70,7 @@ TEST_SUITE("gear planetary figure") {
     }
   }
 
-  TEST_CASE("what turns has an arrow in its sense, what is held a word") {
+  TEST_CASE("rotating members have an arrow in their direction, the fixed one has a word") {
     Input in = set_of(24, 30, 3);
     const auto figure = figure_of(in);
     const auto& view = drawing_of(figure).views[0];
@@ -84,7 +84,7 @@ TEST_SUITE("gear planetary figure") {
     CHECK(overlap(text) == "");
   }
 
-  TEST_CASE("without a module it has no scale, and nothing for CAD") {
+  TEST_CASE("without a module the figure has no scale and no CAD drawing") {
     Input in = set_of(24, 30, 3);
     CHECK(draw::is_to_scale(figure_of(in)));
     in.m_n = unset<Length>;
@@ -92,7 +92,7 @@ TEST_SUITE("gear planetary figure") {
     CHECK(draw::dxf_of(figure_of(in)).empty());
   }
 
-  TEST_CASE("odd sets: one planet, fine teeth, a ring that shift brings to the axis, none that can mesh") {
+  TEST_CASE("unusual sets: one planet, fine teeth, a ring gear made coaxial by shift, one that cannot mesh") {
     figure_of(set_of(24, 30, 1));
     figure_of(set_of(240, 300, 3));
     Input shifted = set_of(24, 30, 3);

@@ -59,7 +59,7 @@ In printed_example() {
 }  // namespace
 
 TEST_SUITE("gear.rating") {
-  TEST_CASE("the printed example of DIN 3990-11: safeties as printed, factors as an independent program has them") {
+  TEST_CASE("the printed example of DIN 3990-11: safety factors as printed, factors as by an independent program") {
     const auto r = rated(printed_example());
     CHECK(std::abs(r.S_H1 - 2.1) < 0.05);
     CHECK(std::abs(r.S_H2 - 1.2) < 0.05);
@@ -142,7 +142,7 @@ TEST_SUITE("gear.rating") {
     CHECK(rel(r.S_F2, 5.729) < 1e-3);
   }
 
-  TEST_CASE("a hard pinion work-hardens its soft wheel") {
+  TEST_CASE("a hard pinion work-hardens its soft gear") {
     In in = teeth(3, 25, 60, 0, 0, 0, 24);
     load(in, 15, 1450, 1.25, 7);
     of(in, GearMaterial::case_hardened, 1500, 860);
@@ -173,7 +173,7 @@ TEST_SUITE("gear.rating") {
     CHECK(rel(r.S_F2, 1.832) < 1e-3);
   }
 
-  TEST_CASE("equal gears have equal safeties; more load, less width and a coarser grade lower them") {
+  TEST_CASE("equal gears have equal safety factors; more load, less face width and a coarser grade lower them") {
     std::mt19937_64 random(5);
     const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
     for (int i = 0; i < 500; ++i) {
@@ -198,7 +198,7 @@ TEST_SUITE("gear.rating") {
     }
   }
 
-  TEST_CASE("a life has higher limits, which end at those of endurance and of a static load") {
+  TEST_CASE("finite life has higher limits, which end at those of endurance and of static load") {
     In in = case_A();
     const auto endless = rated(in);
     double before = HUGE_VAL;
@@ -223,7 +223,7 @@ TEST_SUITE("gear.rating") {
     CHECK(!Rating::has_strengths(in));
   }
 
-  TEST_CASE("what is not given passes nothing") {
+  TEST_CASE("missing input does not pass") {
     CHECK(mode_with("gear.rating", "S_Hmin = ", "pitting_1") == "not-judged");
     CHECK(mode_with("gear.rating", "S_Fmin = ", "root_2") == "not-judged");
     CHECK(mode_with("gear.rating", "", "pitting_1") == "pass");

@@ -86,7 +86,7 @@ TEST_SUITE("gear rating by ISO 6336") {
     CHECK(rel(r.sigma_HG2 / MPa, 1414.52551) < 1e-8);
   }
 
-  TEST_CASE("a helical pair of 25 and 40 teeth: film factors and limit as printed elsewhere") {
+  TEST_CASE("a helical pair of 25 and 40 teeth: film factors and limit as published") {
     In in = of_iso(2, 25, 40, 20, 26, 18, 318);
     in.h_fP = 1.3, in.T_1 = 150.0 * N_m, in.n_1 = 3000.0 * rpm;
     const auto r = rated_well(in);
@@ -113,7 +113,7 @@ TEST_SUITE("gear rating by ISO 6336") {
     CHECK(rel(spur.sigma_F01 / MPa, spur.F_t / N / (48.64 * 4.0) * 1.22275448 * 2.51792967) < 1e-6);
   }
 
-  TEST_CASE("edition 2019 of the root: f_eps as printed of two planetary gears, and what it changes") {
+  TEST_CASE("edition 2019 of the root: f_eps as printed for two planetary gears, and what it changes") {
     struct Row {
       int z_1, z_2;
       double x_1, x_2, b, f_eps;
@@ -155,7 +155,7 @@ TEST_SUITE("gear rating by ISO 6336") {
     CHECK(f < 0.85);
   }
 
-  TEST_CASE("limits of the root: notch by a slip layer of 0.003 mm, life at 1e10 cycles, no bonus of smooth flanks") {
+  TEST_CASE("limits of the root: notch by a slip layer of 0.003 mm, life at 1e10 cycles, no bonus for smooth flanks") {
     const double q_s = 3.32380358;  // of the pinion, from the same construction
     const double Y_delta = (1 + std::sqrt(0.2 * 0.003 * (1 + 2 * q_s))) / (1 + std::sqrt(1.2 * 0.003));
     CHECK(rel(rated_well(shifted()).sigma_FG1 / MPa, 860 * 0.85 * Y_delta) < 1e-6);
@@ -166,7 +166,7 @@ TEST_SUITE("gear rating by ISO 6336") {
     CHECK(std::abs(rated_well(rough).sigma_FG1 / rated_well(shifted()).sigma_FG1 - 0.957) < 5e-4);
   }
 
-  TEST_CASE("spur gears have one nominal contact stress by both standards; a helix parts them by its cosine") {
+  TEST_CASE("spur gears have one nominal contact stress by both standards; with a helix they differ by its cosine") {
     std::mt19937_64 random(7);
     const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
     for (int i = 0; i < 200; ++i) {
@@ -183,7 +183,7 @@ TEST_SUITE("gear rating by ISO 6336") {
     }
   }
 
-  TEST_CASE("where one pair carries all the time, the outer point of single contact is the tip") {
+  TEST_CASE("where one pair always carries the load, the outer point of single contact is the tip") {
     In in = shifted();
     double low = 0.6, high = 1.0;
     for (int i = 0; i < 80; ++i) {
@@ -198,7 +198,7 @@ TEST_SUITE("gear rating by ISO 6336") {
     CHECK(rel(a.sigma_F01, b.sigma_F01) < 1e-9);  // and Y_eps is 1
   }
 
-  TEST_CASE("a soft wheel on a hard pinion, and one on a harder one of the same kind") {
+  TEST_CASE("a soft gear with a hard pinion, and with a harder one of the same kind") {
     const auto r = rated_well(soft_wheel());
     CHECK(rel(r.sigma_HG1 / MPa, 1026.4872734) < 1e-9);
     CHECK(rel(r.sigma_HG2 / MPa, 529.8043985) < 1e-9);  // equivalent roughness 4.725 um, Z_W 1.04622

@@ -90,7 +90,7 @@ TEST_SUITE("gear rating load factors of ISO 6336-1") {
     CHECK(rel(r.c_prime, 15.402808090686957) < 1e-12);
   }
 
-  TEST_CASE("below, in, beyond and far above resonance, by an independent computation") {
+  TEST_CASE("below, at, above and far above resonance, by an independent computation") {
     struct Row {
       double n_1, N_res, K_V, F_betax, K_Hbeta;
     };
@@ -157,7 +157,7 @@ TEST_SUITE("gear rating load factors of ISO 6336-1") {
     }
   }
 
-  TEST_CASE("a pair whose gears change places keeps stiffness, resonance and dynamic factor") {
+  TEST_CASE("a pair with its gears interchanged keeps stiffness, resonance and dynamic factor") {
     std::mt19937_64 random(35);
     for (int i = 0; i < 100; ++i) {
       const In in = any_pair(random);
@@ -173,7 +173,7 @@ TEST_SUITE("gear rating load factors of ISO 6336-1") {
     }
   }
 
-  TEST_CASE("gears that are alike are loaded alike") {
+  TEST_CASE("equal gears are loaded equally") {
     const auto r = rated_by_iso(under(pair_by_iso(4, 40, 40, 12, 0.1, 0.1, 50), 500, 700, 7, 1.25));
     CHECK(r.sigma_H1 == r.sigma_H2);
     CHECK(rel(r.S_H1, r.S_H2) < 1e-12);
@@ -181,7 +181,7 @@ TEST_SUITE("gear rating load factors of ISO 6336-1") {
     CHECK(rel(r.S_F1, r.S_F2) < 1e-12);
   }
 
-  TEST_CASE("coarser teeth and harder flanks raise the load; more torque adds to it") {
+  TEST_CASE("coarser teeth and harder flanks increase the load; more torque adds to it") {
     std::mt19937_64 random(36);
     for (int i = 0; i < 100; ++i) {
       In in = any_pair(random);
@@ -215,14 +215,14 @@ TEST_SUITE("gear rating load factors of ISO 6336-1") {
     }
   }
 
-  TEST_CASE("a narrow face under a large line load comes down to the least misalignment") {
+  TEST_CASE("a narrow face under a large line load has the minimum misalignment") {
     In in = reducer();
     in.b = 1e-3 * mm, in.f_ma = 0.0 * mm;
     const auto r = rated_by_iso(in);
     CHECK(std::abs(r.K_Hbeta - (1 + 0.0025 * r.c_gamma_beta)) < 1e-5);
   }
 
-  TEST_CASE("a pinion near the middle, or on a stiff shaft, bends like one in the middle") {
+  TEST_CASE("a pinion near the middle, or on a stiff shaft, deflects like one in the middle") {
     In in = reducer();
     const auto middle = rated_by_iso(in);
     in.place = gear::Place::a, in.l = 200.0 * mm, in.d_sh = 50.0 * mm, in.s = 1e-9 * mm;
@@ -264,7 +264,7 @@ TEST_SUITE("gear rating load factors of ISO 6336-1") {
     CHECK(rel(rated_by_iso(in).N_res, solid) < 1e-5);
   }
 
-  TEST_CASE("tip relief counts at grade 5, belongs to ISO 6336, and is best where it meets the deflection") {
+  TEST_CASE("tip relief counts up to grade 5, belongs to ISO 6336, and is best where it equals the deflection") {
     In in = reducer();
     in.grade = 5;
     const auto run_in = rated_by_iso(in);

@@ -130,7 +130,7 @@ TEST_SUITE("gear rating of random pairs") {
     CHECK(faults == 0);
   }
 
-  TEST_CASE("a wider pair of the same load has lower nominal stresses, as the root and the width have them") {
+  TEST_CASE("a wider pair with the same load has lower nominal stresses, by the width at the root and at the flank") {
     Pairs pairs(65);
     double worst = 0.0;
     for (int i = 0; i < 2000; ++i) {
@@ -144,7 +144,7 @@ TEST_SUITE("gear rating of random pairs") {
     CHECK(worst < 1e-12);
   }
 
-  TEST_CASE("gears that are alike have the same stresses and safety factors") {
+  TEST_CASE("equal gears have the same stresses and safety factors") {
     Pairs pairs(66);
     double worst = 0.0;
     for (int i = 0; i < 1500; ++i) {
@@ -157,7 +157,7 @@ TEST_SUITE("gear rating of random pairs") {
     CHECK(worst < 1e-9);
   }
 
-  TEST_CASE("a stiff pinion with true helices is loaded evenly: K_Hbeta goes to 1 as the width goes to 0") {
+  TEST_CASE("a stiff pinion with perfect helices is loaded evenly: K_Hbeta tends to 1 as the width tends to 0") {
     Pairs pairs(67);
     for (int i = 0; i < 500; ++i) {
       In in = pairs.next();

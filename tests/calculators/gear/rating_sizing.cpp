@@ -74,7 +74,7 @@ TEST_SUITE("gear rating sizing") {
     CHECK(carries_with(4, b));
   }
 
-  TEST_CASE("together they are the pair of least volume among those in proportion, 6 modules to 1.2 d_1") {
+  TEST_CASE("together they give the pair of least volume in proportion, 6 modules to 1.2 d_1") {
     double least = HUGE_VAL;
     for (const double m : modules) {
       for (const double b : widths()) {

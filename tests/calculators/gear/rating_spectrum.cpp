@@ -89,7 +89,7 @@ TEST_SUITE("gear rating under a load spectrum") {
     }
   }
 
-  TEST_CASE("the safety factor makes the sum of hours over the hours of each block alone 1") {
+  TEST_CASE("the safety factor makes the sum of hours over the hours of each single block 1") {
     const In in = with_three_blocks();
     const auto r = rated_under(in);
     for (const Safety& s : safeties) {
@@ -99,7 +99,7 @@ TEST_SUITE("gear rating under a load spectrum") {
     }
   }
 
-  TEST_CASE("damage of every block at the required safety factor: its hours over those that it may run alone") {
+  TEST_CASE("damage of every block at the required safety factor: its hours over its allowable hours") {
     const In in = with_three_blocks();
     const auto r = rated_under(in);
     double sum = 0.0;
@@ -115,7 +115,7 @@ TEST_SUITE("gear rating under a load spectrum") {
     CHECK((r.D_F1 <= 1.0) == (r.u_F1 <= 1.0));
   }
 
-  TEST_CASE("neither the order of the blocks nor a division into equal ones counts") {
+  TEST_CASE("neither the order of the blocks nor a division into equal ones matters") {
     In in = with_three_blocks();
     const auto r = rated_under(in);
     std::swap(in.blocks[0], in.blocks[2]);
@@ -127,7 +127,7 @@ TEST_SUITE("gear rating under a load spectrum") {
     CHECK(rel(in_si(r.T_F1), in_si(s.T_F1)) < 1e-12);
   }
 
-  TEST_CASE("a peak above the static limits fails, however short, and blocks with peaks leave no overload unrated") {
+  TEST_CASE("a peak above the static limits fails, however short, and no overload of a block is left unrated") {
     const auto overload =
         std::ranges::find_if(Rating::modes, [](const auto& m) { return std::string(m.id) == "overload"; });
     REQUIRE(overload != Rating::modes.end());
@@ -144,7 +144,7 @@ TEST_SUITE("gear rating under a load spectrum") {
     CHECK(peaked.D_F2 > 1.0);
   }
 
-  TEST_CASE("more torque in any block, and more hours, lower no safety factor the wrong way") {
+  TEST_CASE("more torque in any block, and more hours, never raise a safety factor") {
     const In in = with_three_blocks();
     const auto r = rated_under(in);
     for (std::size_t i = 0; i < in.blocks.size(); ++i) {
@@ -159,7 +159,7 @@ TEST_SUITE("gear rating under a load spectrum") {
     for (const Safety& of : safeties) CHECK_MESSAGE(rated_under(longer).*of.S <= r.*of.S, of.name);
   }
 
-  TEST_CASE("equivalent torque by the exponents of the chart: 6.611 and 8.738 of case-hardened teeth") {
+  TEST_CASE("equivalent torque by the exponents of the chart: 6.611 and 8.738 for case-hardened teeth") {
     In in = stage_for_years();
     in.blocks.push_back(block_of(0.25, 1.0, 900));
     in.blocks.push_back(block_of(0.75, 0.8, 600));
@@ -172,7 +172,7 @@ TEST_SUITE("gear rating under a load spectrum") {
     CHECK(rel(r.K_AF, of(8.738) / 500.0) < 1e-5);
   }
 
-  TEST_CASE("a block without torque does no damage, a light one below the curve neither") {
+  TEST_CASE("a block without torque does no damage, nor does a light one below the curve") {
     In in = with_three_blocks();
     const auto r = rated_under(in);
     in.blocks[2].q = 0.3;

@@ -97,7 +97,7 @@ TEST_SUITE("gear sizing") {
     }
   }
 
-  TEST_CASE("the best pair is what gear.rating says of it") {
+  TEST_CASE("the best pair is as gear.rating assesses it") {
     for (const auto standard : {RatingStandard::din3990, RatingStandard::iso6336}) {
       auto in = hoist();
       in.betas = {{0.0}, {12.0 * deg.one}};
@@ -113,7 +113,7 @@ TEST_SUITE("gear sizing") {
     }
   }
 
-  TEST_CASE("candidates are ranked, each passes and keeps to the range; the rejected ones rank before them and fail") {
+  TEST_CASE("candidates are ranked, each passes and is within the range; the rejected ones rank before them and fail") {
     for (const auto by : {By::mass, By::centre}) {
       auto in = hoist();
       in.by = by;
@@ -153,7 +153,7 @@ TEST_SUITE("gear sizing") {
     }
   }
 
-  TEST_CASE("the profile shift balances the sliding: no other hundredth does so better") {
+  TEST_CASE("the profile shift balances the sliding: no other hundredth does it better") {
     auto in = hoist();
     in.betas = {{0.0}, {12.0 * deg.one}};
     for (const double x_sum : {0.0, 0.5}) {
@@ -170,7 +170,7 @@ TEST_SUITE("gear sizing") {
     }
   }
 
-  TEST_CASE("gears of one size share the profile shift evenly") {
+  TEST_CASE("gears of one size share the profile shift equally") {
     auto in = hoist();
     in.i_set = 1.0, in.x_sum = 0.4;
     for (const auto& c : solve(in).candidates) {
@@ -178,7 +178,7 @@ TEST_SUITE("gear sizing") {
     }
   }
 
-  TEST_CASE("every candidate has the centre distance that is fixed") {
+  TEST_CASE("every candidate has the fixed centre distance") {
     auto in = hoist();
     in.a_set = 125.0 * mm;
     const auto r = solve(in);
@@ -201,7 +201,7 @@ TEST_SUITE("gear sizing") {
     }
   }
 
-  TEST_CASE("where no pair carries the load, the nearest one is shown with the mode that it fails") {
+  TEST_CASE("where no pair carries the load, the nearest one is shown with the failure mode") {
     auto in = hoist();
     in.P = 2e6 * W;
     const auto r = solve(in);

@@ -27,7 +27,7 @@ double lewis(int z) { return lewis_factor(iso, z, 0.0, 0.5 * z + 1.0); }
 }  // namespace
 
 TEST_SUITE("tooth form") {
-  TEST_CASE("the involute function comes back from its angle") {
+  TEST_CASE("the inverse of the involute function returns the angle") {
     for (const double angle : {0.001, 0.05, 0.35, 0.7, 1.2, 1.5}) {
       CHECK(std::abs(angle_of_involute(involute(angle)) - angle) < 1e-12);
     }
@@ -47,14 +47,14 @@ TEST_SUITE("tooth form") {
     }
   }
 
-  TEST_CASE("Lewis' factors of an independent search over the points of the fillet") {
+  TEST_CASE("Lewis factors of an independent search over the points of the fillet") {
     for (const Factor& row : {Factor{12, 0.2377}, {17, 0.2924}, {20, 0.3145}, {50, 0.4018}, {400, 0.4661}}) {
       CAPTURE(row.z);
       CHECK(std::abs(lewis(row.z) - row.Y) < 6e-5);
     }
   }
 
-  TEST_CASE("Lewis' factors stand within 6 % of the table of [Shigley14]") {
+  TEST_CASE("Lewis factors are within 6 % of the table of [Shigley14]") {
     for (const Factor& row :
          {Factor{12, 0.245}, {16, 0.296}, {20, 0.322}, {30, 0.359}, {50, 0.409}, {100, 0.447}, {400, 0.480}}) {
       CAPTURE(row.z);
@@ -62,7 +62,7 @@ TEST_SUITE("tooth form") {
     }
   }
 
-  TEST_CASE("no section of the fillet is weaker than that of Lewis' factor") {
+  TEST_CASE("no section of the fillet is weaker than that of the Lewis factor") {
     for (const double shift : {-0.2, 0.0, 0.6, 1.0}) {
       for (const double z : {14.0, 17.3, 31.0, 150.0}) {
         CAPTURE(shift);
@@ -82,7 +82,7 @@ TEST_SUITE("tooth form") {
     }
   }
 
-  TEST_CASE("more teeth and more shift make a tooth stronger") {
+  TEST_CASE("more teeth and a larger shift make a tooth stronger") {
     for (int z = 12; z < 200; ++z) CHECK(lewis(z + 1) > lewis(z));
     CHECK(lewis_factor(iso, 15, 0.5, 9.0) > lewis_factor(iso, 15, 0.0, 8.5));
   }

@@ -46,7 +46,7 @@ TEST_SUITE("trigonometry") {
     }
   }
 
-  TEST_CASE("so are they beside the zeros, where nearly all of the angle cancels") {
+  TEST_CASE("also close to the zeros, where nearly all of the angle cancels") {
     for (int n = 1; n < 2000; ++n) {
       const double x = n * 1.5707963267948966;
       CHECK(units_apart(sine(x), std::sin(static_cast<Long>(x))) < 1.0);
@@ -65,7 +65,7 @@ TEST_SUITE("trigonometry") {
     }
   }
 
-  TEST_CASE("the ends, and what is not a number") {
+  TEST_CASE("the ends of the range, and NaN") {
     constexpr double pi = 3.141592653589793, infinity = std::numeric_limits<double>::infinity();
     CHECK(sine(0.0) == 0.0);
     CHECK(cosine(0.0) == 1.0);

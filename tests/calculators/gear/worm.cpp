@@ -74,7 +74,7 @@ TEST_SUITE("gear worm") {
     CHECK(std::abs(r.eta - 0.874) < 0.0025);  // printed; exactly 0.87199
   }
 
-  TEST_CASE("friction, factors, rated force and efficiency of three gears, computed apart in inches") {
+  TEST_CASE("friction, factors, rated force and efficiency of three gears, computed independently in inches") {
     using C = Worm::Casting;
     const Rated all[] = {{2, 56, 7, 2, 1, 20, 1720, C::sand, 7.1250163, 112.573737, 907.598481, 0.021749988, 0.8239,
                           786.888235, 0.27240854, 837.696508, 2.85765534, 0.841321867},
@@ -119,7 +119,7 @@ TEST_SUITE("gear worm") {
     CHECK(rel(solve(small).C_s, 720 + 10.37 * std::pow(67 / 25.4, 3)) < 1e-12);
   }
 
-  TEST_CASE("the efficiencies are those of the forces, and a worm locks where the reverse one is gone") {
+  TEST_CASE("the efficiencies are those of the forces, and a worm locks where the reverse efficiency is zero or less") {
     Worm::Input in = plain();
     in.T_1 = 10.0 * N_m;
     const auto r = solve(in);
@@ -135,7 +135,7 @@ TEST_SUITE("gear worm") {
     }
   }
 
-  TEST_CASE("forces on worm and wheel are opposite in space, for both hands and directions") {
+  TEST_CASE("forces on worm and worm wheel are opposite in space, for both hands and directions") {
     for (const auto hand : {gear::Hand::right, gear::Hand::left}) {
       for (const auto turns : {gear::Turns::ccw, gear::Turns::cw}) {
         Worm::Input in = plain();
@@ -156,7 +156,7 @@ TEST_SUITE("gear worm") {
     CHECK(in_si(solve(in).worm.F_z) > 0.0);
   }
 
-  TEST_CASE("bending by Buckingham and the balance of heat, by hand") {
+  TEST_CASE("bending by Buckingham and the heat balance, by hand") {
     Worm::Input in = plain();
     in.mu = 0.04, in.P = 0.5 * kW, in.K_A = 1.2;
     in.sigma_adm = 50.0 * MPa, in.A_h = 0.2 * gear::square_metre, in.dT_adm = 50.0 * kelvin;
@@ -174,7 +174,7 @@ TEST_SUITE("gear worm") {
     CHECK(rel(solve(in).u_T * (1000.0 / 3939 + 0.13), r.u_T * (1000.0 / 6494 + 0.13)) < 1e-12);
   }
 
-  TEST_CASE("wrong worm gears are named with their remedy") {
+  TEST_CASE("wrong worm gears are reported with their remedy") {
     const std::string worm = "d_1 = \"40 mm\"\n", runs = worm + "n_1 = \"1400 rpm\"\n";
     says("d_1 = \"9 mm\"\nmu = 0.05\n", "the worm has no core");
     says(worm, "give n_1, or mu");

@@ -111,7 +111,7 @@ TEST_SUITE("machine.disc") {
     CHECK(rel(in_si(disc(in).sigma_tr), in_si(disc(in).sigma_ta)) < 1e-12);
   }
 
-  TEST_CASE("a thick disc is no disc in plane stress, and a speed is needed") {
+  TEST_CASE("a thick disc is not in plane stress, and a speed is needed") {
     const test::ExampleStep thick("machine.disc", "b = \"200 mm\"");
     CHECK(thick.verdict("x_b") == account::State::not_covered);
     const test::ExampleStep rotor("machine.disc", "b = \"200 mm\"\nform = \"cylinder\"");

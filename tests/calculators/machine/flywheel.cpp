@@ -17,14 +17,14 @@ const std::string three_cranks =
 }  // namespace
 
 TEST_SUITE("machine flywheel") {
-  TEST_CASE("the inertia goes with one over the unevenness and over the square of the speed") {
+  TEST_CASE("the inertia is inversely proportional to the unevenness and to the square of the speed") {
     const double J = wheel(three_cranks + "delta = 0.01\n")("J_F");
     CHECK(near(wheel(three_cranks + "delta = 0.02\n")("J_F"), J / 2.0));
     CHECK(near(wheel("M_of_phi = \"5000 N*m + 1500 N*m*sin(3*phi)\"\nomega = \"600 rpm\"\ndelta = 0.01\n")("J_F"),
                J / 4.0));
   }
 
-  TEST_CASE("integrating the motion with that flywheel gives the unevenness that was asked for") {
+  TEST_CASE("integrating the motion with that flywheel gives the required unevenness") {
     const auto r = wheel(three_cranks + "delta = 0.05\n");
     const double J = r("J_F"), omega = 300.0 * 2.0 * 3.141592653589793 / 60.0, M_m = r("M_m");
     // J d(omega)/dt = M - M_m, small steps of time over two turns, from the mean speed where the wave starts
@@ -46,7 +46,7 @@ TEST_SUITE("machine flywheel") {
     for (std::size_t i = 0; i < saw.size(); ++i) CHECK(near(loadpath::machine::energy_at(saw, mean, i), areas[i]));
   }
 
-  TEST_CASE("the same moment as load and as drive asks for the same flywheel, fast and slow change places") {
+  TEST_CASE("the same moment as load and as drive needs the same flywheel, fast and slow change places") {
     const std::string of =
         "points = [[\"0 deg\", \"10 N*m\"], [\"90 deg\", \"80 N*m\"], [\"180 deg\", \"10 N*m\"]]\nomega = \"10 "
         "rad/s\"\ndelta = 0.05\n";
@@ -68,13 +68,13 @@ TEST_SUITE("machine flywheel") {
           State::pass);
   }
 
-  TEST_CASE("what turns at a constant ratio is taken off once, and no more than there is") {
+  TEST_CASE("inertia at a constant ratio is subtracted once, and no more than there is") {
     const double J = wheel(three_cranks + "delta = 0.01\n")("J_F");
     CHECK(near(wheel(three_cranks + "delta = 0.01\nJ_0 = \"40 kg*m^2\"\n")("J_add"), J - 40.0));
     CHECK(wheel(three_cranks + "delta = 0.01\nJ_0 = \"400 kg*m^2\"\n")("J_add") == 0.0);
   }
 
-  TEST_CASE("a given flywheel passes on one side of its border and fails on the other") {
+  TEST_CASE("a given flywheel passes on one side of its limit and fails on the other") {
     const double J = wheel(three_cranks + "delta = 0.01\n")("J_F");
     CHECK(wheel(three_cranks + "delta = 0.01\nJ = \"" + std::to_string(J * 1.001) + " kg*m^2\"\n").worst() ==
           State::pass);
@@ -82,13 +82,13 @@ TEST_SUITE("machine flywheel") {
           State::fail);
   }
 
-  TEST_CASE("one efficiency and one rated power, each once") {
+  TEST_CASE("one efficiency and one rated power, each applied once") {
     const auto r = wheel("M_of_phi = \"70 N*m\"\nomega = \"10 rad/s\"\ndelta = 0.05\neta = 0.8\nP_n = \"1 kW\"\n");
     CHECK(near(r("P"), 875.0));
     CHECK(near(r("u_P"), 0.875));
   }
 
-  TEST_CASE("what is a single value is not a moment over a cycle is refused with its reason") {
+  TEST_CASE("a single value is refused as a moment over a cycle, with the reason") {
     const std::string rest = "omega = \"10 rad/s\"\ndelta = 0.05\n";
     const std::string rows[][2] = {
         {rest, "give the torque over the cycle once"},

@@ -62,7 +62,7 @@ TEST_SUITE("machine motion") {
     }
   }
 
-  TEST_CASE("a straight motor runs up a constant load as an exponential of the time") {
+  TEST_CASE("a motor with a linear characteristic runs up a constant load as an exponential of the time") {
     const auto r = machine(straight + "J_F = \"20 kg*m^2\"\nM = \"60 N*m\"\n");
     CHECK(near(r("t_E"), tau * std::log(200.0), 1e-6));
     CHECK(near(r("turns"), (tau * std::log(200.0) - tau * 0.995) * 5.0 / 6.0, 1e-6));
@@ -77,14 +77,14 @@ TEST_SUITE("machine motion") {
     CHECK(near(r("t_E"), tau * std::log(200.0), 1e-6));
   }
 
-  TEST_CASE("without load the energy keeps, and the speed follows the variable inertia") {
+  TEST_CASE("without load the energy is constant, and the speed follows the variable inertia") {
     const auto r = machine(
         "M_A = \"1 N*m\"\nn_0 = \"100 rpm\"\nM = \"0 N*m\"\nJ_F = \"20 kg*m^2\"\nJ_of_phi = \"2 kg*m^2 - 2 "
         "kg*m^2*cos(2*phi)\"\n");
     CHECK(near(r("n_max") / r("n_min"), std::sqrt(24.0 / 20.0), 1e-3));
   }
 
-  TEST_CASE("a small fluctuation is that of the flywheel's formula: Delta_E/(J omega^2)") {
+  TEST_CASE("a small fluctuation agrees with the flywheel formula: Delta_E/(J omega^2)") {
     // the motor hardly falls within a cycle: M_L = 60 + 30 sin phi, Delta_E = 60 J
     const auto r = machine(straight + "J_F = \"2000 kg*m^2\"\nM_of_phi = \"60 N*m + 30 N*m*sin(phi)\"\n");
     CHECK(near(r("delta"), 60.0 / (2000.0 * r("n_m") * r("n_m")), 1e-3));
@@ -93,7 +93,7 @@ TEST_SUITE("machine motion") {
     CHECK(r("x_t") < 1e-5);
   }
 
-  TEST_CASE("a motor below its load does not start, and one that a peak stops stalls") {
+  TEST_CASE("a motor below its load does not start, and one that a peak load stops stalls") {
     const auto stuck = machine(straight + "J_F = \"20 kg*m^2\"\nM = \"121 N*m\"\n");
     CHECK(stuck.worst() == State::fail);
     CHECK(near(stuck("u_A"), 121.0 / 120.0));
@@ -118,7 +118,7 @@ TEST_SUITE("machine motion") {
     CHECK(r("n_m") > 90.0 * 3.141592653589793 / 30.0);
   }
 
-  TEST_CASE("a load over two turns takes the period of both") {
+  TEST_CASE("a load over two revolutions takes the period of both") {
     const auto r = machine(straight +
                            "J_F = \"20 kg*m^2\"\nM_of_phi = \"60 N*m + 30 N*m*sin(phi/2)\"\nperiod = "
                            "\"720 deg\"\n");
@@ -133,7 +133,7 @@ TEST_SUITE("machine motion") {
     CHECK(near(machine(lines + "s_K = 0.19165151389911679\nM_n = \"16 N*m\"\n")("u_M"), 10.0 / 16.0, 1e-6));
   }
 
-  TEST_CASE("slopes of even samples are those of the curve through five of them") {
+  TEST_CASE("slopes of equally spaced samples are those of the curve through five of them") {
     using namespace loadpath::machine;
     std::vector<Sample> samples;
     const double period = 2.0 * 3.141592653589793;

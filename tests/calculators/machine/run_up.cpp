@@ -10,14 +10,14 @@ SolvedStep run(const std::string& lines) { return {"machine.run_up", "parts = [{
 }  // namespace
 
 TEST_SUITE("machine run up") {
-  TEST_CASE("a constant moment: t = J omega/M, and half of the turns of the end speed in that time") {
+  TEST_CASE("a constant moment: t = J omega/M, and half of the revolutions of the end speed in that time") {
     const auto r = run("motor = [[\"0 rpm\", \"10 N*m\"]]\nn_2 = \"100 rad/s\"\n");
     CHECK(near(r("t"), 5.0));
     CHECK(near(r("turns"), 250.0 / (2.0 * 3.141592653589793)));
     CHECK(near(r("A_M"), 2500.0));
   }
 
-  TEST_CASE("time and works agree with small steps of time") {
+  TEST_CASE("time and work agree with small time steps") {
     const auto r =
         run("motor = [[\"0 rad/s\", \"20 N*m\"], [\"60 rad/s\", \"28 N*m\"], [\"100 rad/s\", \"12 N*m\"]]\n"
             "load = [[\"0 rad/s\", \"1 N*m\"], [\"100 rad/s\", \"9 N*m\"]]\nn_2 = \"100 rad/s\"\n");
@@ -41,7 +41,7 @@ TEST_SUITE("machine run up") {
     CHECK(near(r("t"), 4.0));
   }
 
-  TEST_CASE("a load that the motor does not carry is never run up: on both sides of the border") {
+  TEST_CASE("a load above the motor torque is never run up: on both sides of the limit") {
     const std::string motor =
         "motor = [[\"0 rpm\", \"10 N*m\"]]\nn_2 = \"100 rad/s\"\nload = [[\"0 rad/s\", \"2 N*m\"], [\"100 rad/s\", ";
     const auto carried = run(motor + "\"9.9 N*m\"]]\n"), stuck = run(motor + "\"10.1 N*m\"]]\n");
@@ -52,7 +52,7 @@ TEST_SUITE("machine run up") {
     CHECK(run(motor + "\"10 N*m\"]]\n").worst() == State::not_available);  // it nears the speed for ever
   }
 
-  TEST_CASE("a load helps to brake, and the heat of the brake is what it does not take") {
+  TEST_CASE("a load helps to brake, and the brake takes the rest as heat") {
     const auto r = run(
         "n_1 = \"100 rad/s\"\nn_2 = \"0 rad/s\"\nmotor = [[\"0 rpm\", \"-6 N*m\"]]\nload = [[\"0 rpm\", \"4 N*m\"]]\n");
     CHECK(near(r("t"), 5.0));
@@ -60,7 +60,7 @@ TEST_SUITE("machine run up") {
     CHECK(near(r("A_L"), 1000.0, 1e-9));
   }
 
-  TEST_CASE("running out against the load alone, and what nothing stops") {
+  TEST_CASE("coasting down against the load alone, and without any load") {
     CHECK(near(run("n_1 = \"100 rad/s\"\nn_2 = \"0 rad/s\"\nmotor = [[\"0 rpm\", \"0 N*m\"]]\nload = [[\"0 rpm\", \"4 "
                    "N*m\"]]\n")("t"),
                12.5));
@@ -73,7 +73,7 @@ TEST_SUITE("machine run up") {
     CHECK(run(motor + "\"4.99 s\"\n").worst() == State::fail);
   }
 
-  TEST_CASE("a motor may be overcome by its load: no contradiction of signs") {
+  TEST_CASE("a motor may be overhauled by its load: no contradiction of signs") {
     const auto stopped = run(
         "n_1 = \"100 rad/s\"\nn_2 = \"0 rad/s\"\nmotor = [[\"0 rpm\", \"2 N*m\"]]\nload = [[\"0 rpm\", \"7 N*m\"]]\n");
     CHECK(near(stopped("t"), 10.0));
@@ -85,7 +85,7 @@ TEST_SUITE("machine run up") {
               .worst() == State::fail);
   }
 
-  TEST_CASE("lines that do not say what is asked are refused with the reason") {
+  TEST_CASE("contradictory speeds and motor curves are refused with the reason") {
     const std::string rows[][2] = {
         {"motor = [[\"0 rpm\", \"1 N*m\"]]\nn_2 = \"0 rpm\"\n", "initial and final speed must differ"},
         {"motor = []\nn_2 = \"9 rpm\"\n", "is empty"},

@@ -63,7 +63,7 @@ std::string crank_angle_of(const project::Project& project) {
 }  // namespace
 
 TEST_SUITE("mechanism degenerate") {
-  TEST_CASE("a link whose only two pins are at one place moves nothing") {
+  TEST_CASE("a link with its only two pins at one place moves nothing") {
     CHECK(said_of("A = [\"50 mm\", \"0 mm\"]", "A = [\"0 mm\", \"0 mm\"]") ==
           R"(a.toml:5:26: error: points O and A of 'crank' coincide: it moves nothing
 5 | links.crank = { points = { O = ["0 mm", "0 mm"], A = ["0 mm", "0 mm"] }, angle = "30 deg" }
@@ -74,7 +74,7 @@ TEST_SUITE("mechanism degenerate") {
               .starts_with("a.toml:6:24: error: points A and B of 'rod' coincide: it moves nothing\n"));
   }
 
-  TEST_CASE("a wheel on the pin of another link is no such link") {
+  TEST_CASE("a wheel on the pin of another link is not such a link") {
     CHECK(issues_of(press(R"(links.wheel = { points = { A = ["0 mm", "0 mm"] }, angle = "0 deg" }
 joints.A2 = { type = "revolute", links = ["crank", "wheel"], points = ["A", "A"] }
 joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"], radii = ["30 mm", "20 mm"] }
@@ -82,7 +82,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
               .empty());
   }
 
-  TEST_CASE("a spring whose ends are on one pin has no direction") {
+  TEST_CASE("a spring with both ends on one pin has no direction") {
     CHECK(issues_of(
               press("springs.s = { links = [\"crank\", \"ground\"], points = [\"O\", \"O\"], k = \"2 N/mm\", free = "
                     "\"10 mm\" }\n")) ==
@@ -97,7 +97,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
     CHECK(issues_of(press(other_end)).empty());
   }
 
-  TEST_CASE("where the ends of a spring meet its force has no direction, and elsewhere it has") {
+  TEST_CASE("where the ends of a spring meet its force has no direction, elsewhere it has one") {
     for (const char* const friction : {"", ", mu = 0.1, guide_length = \"60 mm\", guide_width = \"0 mm\""}) {
       CAPTURE(friction);
       const auto project = solved(over_its_spring("20 mm", friction));
@@ -128,7 +128,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
     CHECK(force.missing.empty());
   }
 
-  TEST_CASE("a crank that does not turn round: what to do, and why its results are missing") {
+  TEST_CASE("a crank that cannot revolve: what to do, and why its results are missing") {
     const auto bar = solved(bar_that_cannot_turn(36));
     const std::string note = verdict_of(bar, "closes").note.text();
     INFO(note);
@@ -141,7 +141,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
     CHECK(entry_of(solved(press("")), "drive.M").missing.empty());
   }
 
-  TEST_CASE("where the crank stops is given to the hundredth of a degree, however far apart the positions are") {
+  TEST_CASE("the limit of the crank is given to a hundredth of a degree, however far apart the positions are") {
     // Coupler and rocker in line: law of cosines. The crank angle is that of its own x axis, 90 deg ahead of AB.
     const double b = std::hypot(70.0, 10.0), c = std::hypot(80.0, 90.0), a = 100.0, d = 150.0;
     const double stretched = std::acos((a * a + d * d - (b + c) * (b + c)) / (2.0 * a * d)) * 180.0 / pi;
@@ -155,7 +155,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
     }
   }
 
-  TEST_CASE("a cylinder that is longer or shorter than its links reach") {
+  TEST_CASE("a cylinder that is longer or shorter than its links can reach") {
     // A is 500 mm from P, and O 1000 mm.
     const auto lift = [](const char* from, const char* to) {
       return std::string("[a]\ncalculator = \"mechanism.planar\"\nanalysis = \"static\"\npositions = 24\n") +
@@ -173,13 +173,13 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
     CHECK(note("400 mm", "1600 mm").starts_with("not below 500 mm and above 1500 mm: "));
   }
 
-  TEST_CASE("where friction jams the mechanism, its forces are missing for that") {
+  TEST_CASE("where friction jams the mechanism, the forces are missing for this reason") {
     const auto jam = solved(block_that_jams(R"({ joint = "rail", impending = "forward" })"));
     CHECK(entry_of(jam, "cylinders.drive.F").missing.text() == "friction jams the mechanism");
     CHECK(entry_of(jam, "links.block.phi").missing.empty());
   }
 
-  TEST_CASE("a list that is written lists something") {
+  TEST_CASE("an empty list is an error") {
     for (const char* const list : {"hodographs", "sides"}) {
       CHECK(issues_of(press(std::string(list) + " = []\n")) ==
             "a.toml:13:" + std::to_string(std::string(list).size() + 4) + ": error: '" + list + "' is empty\n13 | " +
@@ -192,7 +192,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
               .starts_with("a.toml:12:74: error: 'loads[1].over' is empty\n"));
   }
 
-  TEST_CASE("a tolerance is narrower than the dimension that it is of") {
+  TEST_CASE("a tolerance is narrower than its dimension") {
     const std::string place = "accuracy.place = { of = \"x\", point = \"B\" }\n";
     CHECK(issues_of(press(place + "tolerances.c = { link = \"crank\", point = \"O\", to = \"A\", t = \"50 mm\" }\n")) ==
           R"(a.toml:14:62: error: the tolerance 'c', 50 mm, is not smaller than the length that it is of, 50 mm
@@ -218,7 +218,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
           "an output of kind x has no 'joint'");
   }
 
-  TEST_CASE("the report says from where to where the crank angle is measured") {
+  TEST_CASE("the report states the reference line of the crank angle") {
     CHECK(crank_angle_of(solved(press(""))) == "from the x axis to crank's own x axis");
     CHECK(crank_angle_of(solved(replaced(press(""), "joint = \"O\"", "joint = \"O\", to = \"A\""))) ==
           "from the x axis to point A of crank");

@@ -49,7 +49,7 @@ std::string with(const std::string& part, const std::string& other) { return iss
 }  // namespace
 
 TEST_SUITE("mechanism faults") {
-  TEST_CASE("the press itself is sound") { CHECK(issues_of(press).empty()); }
+  TEST_CASE("the press itself has no errors") { CHECK(issues_of(press).empty()); }
 
   TEST_CASE("a link that does not exist") {
     CHECK(with("[\"crank\", \"rod\"]", "[\"crank\", \"rdo\"]") == R"(a.toml:24:45: error: unknown link 'rdo'
@@ -97,7 +97,7 @@ TEST_SUITE("mechanism faults") {
 )");
   }
 
-  TEST_CASE("no drive where there is a freedom") {
+  TEST_CASE("no drive although there is a freedom") {
     CHECK(with("crank = { joint = \"O\", speed = \"60 rpm\", positions = 12 }\n", "") ==
           R"(a.toml:1:2: error: mobility 1, number of drives 0
 1 | [press]
@@ -129,7 +129,7 @@ TEST_SUITE("mechanism faults") {
               .starts_with("a.toml:34:1: error: link 'free' has no joint\n"));
   }
 
-  TEST_CASE("a load is whole, and of one kind") {
+  TEST_CASE("a load is complete, and of one kind") {
     CHECK(with("F_y = \"0 N\"\n", "").empty());  // the other one is zero
     CHECK(with("F_x = \"-1 kN\"\nF_y = \"0 N\"\n", "F = \"3 N\"\n")
               .starts_with("a.toml:28:1: error: give F with direction, or F_x and F_y\n"));
@@ -144,7 +144,7 @@ TEST_SUITE("mechanism faults") {
               .starts_with("a.toml:30:9: error: a load on the ground has no effect\n"));
   }
 
-  TEST_CASE("a point is given one way, and what is wrong in it is told once") {
+  TEST_CASE("a point is given in one way, and its error is reported once") {
     CHECK(with("A = [\"50 mm\", \"0 mm\"]", "A = { r = \"50 mm\", x = \"3 mm\" }")
               .starts_with("a.toml:10:38: error: a point has either x and y or r and angle\n"));
     CHECK(with("A = [\"50 mm\", \"0 mm\"]", "A = [\"50\", \"0 mm\"]") ==
@@ -155,7 +155,7 @@ TEST_SUITE("mechanism faults") {
 )");
   }
 
-  TEST_CASE("fields that the drive would leave idle") {
+  TEST_CASE("fields that would have no effect with this drive") {
     CHECK(with("positions = 12", "positions = 12, at = \"30 deg\"") ==
           R"(a.toml:3:54: error: 'crank.positions' needs a full revolution, but 'crank.at' gives single crank angles
 3 | crank = { joint = "O", speed = "60 rpm", positions = 12, at = "30 deg" }
@@ -215,7 +215,7 @@ positions = 12
 )");
   }
 
-  TEST_CASE("an expression in a mechanism is checked as everywhere") {
+  TEST_CASE("an expression in a mechanism is checked like any other") {
     CHECK(with("mass = \"2 kg\"", "mass = \"=2 kg * 3 m\"") ==
           R"(a.toml:20:10: error: 'links.slider.mass' is a mass, but this expression is a quantity in kg*m
 20 | mass = "=2 kg * 3 m"
@@ -225,7 +225,7 @@ positions = 12
               .starts_with("a.toml:20:10: error: links.slider.mass = -1 kg: must be >= 0 kg\n"));
   }
 
-  TEST_CASE("a belt whose centres move apart is told by its length") {
+  TEST_CASE("a belt whose centres move apart is reported with its length") {
     const std::string belt = R"(
 [press.links.pulley]
 points = { A = ["0 mm", "0 mm"] }
@@ -267,7 +267,7 @@ joints.m2 = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"], r
                     "radii, or remove one\n") != std::string::npos);
   }
 
-  TEST_CASE("a rack that does not lie on the pitch circle of its wheel") {
+  TEST_CASE("a rack off the pitch circle of its gear") {
     const std::string said = issues_of(R"([a]
 calculator = "mechanism.planar"
 crank = { joint = "O", speed = "60 rpm", at = "10 deg" }
@@ -283,7 +283,7 @@ joints.mesh = { type = "rack", links = ["pinion", "rack"], points = ["O", "R"], 
                     "20 mm\n") != std::string::npos);
   }
 
-  TEST_CASE("a turning spring that every turn winds up further") {
+  TEST_CASE("a torsion spring that every revolution winds up further") {
     const auto wound = solved(press + R"([press.springs.coil]
 links = ["crank", "ground"]
 k_turn = "2 N*m/rad"

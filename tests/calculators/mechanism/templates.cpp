@@ -183,7 +183,7 @@ TEST_SUITE("mechanism templates") {
     }
   }
 
-  TEST_CASE("parameters have names of their own, in every template") {
+  TEST_CASE("parameters have unique names in every template") {
     for (const Template* t : planar_mechanism().templates) {
       CAPTURE(t->id);
       for (const FieldInfo& f : t->parameters->fields) {
@@ -212,7 +212,7 @@ joints.guide = { type = "prismatic", links = ["slider", "ground"], points = ["B"
                {"drive.M", "joints.O.F", "joints.B.y", "points.B.x", "points.A.a_x", "links.rod.phi"});
   }
 
-  TEST_CASE("where a slider-crank is, and its mirror, by Pythagoras") {
+  TEST_CASE("positions of a slider-crank and its mirror image, by Pythagoras") {
     for (const double sign : {1.0, -1.0}) {
       const auto p = solved(slider + "e = \"10 mm\"\nassembly = \"" + (sign > 0 ? "open" : "crossed") + "\"\n");
       const Value& x = *p.value("a.points.B.x");
@@ -264,7 +264,7 @@ points = { S3 = ["55 mm", "0 mm"], P = { r = "40 mm", angle = "-20 deg" } }
     CHECK(largest(*t.value("lever.joints.A.F")).value == doctest::Approx(3653.6).epsilon(1e-5));
   }
 
-  TEST_CASE("a bar's inertia is that of a slender bar about its middle, unless it is given") {
+  TEST_CASE("the inertia of a bar is that of a slender bar about its middle, unless it is given") {
     const auto J = [](const std::string& more) { return value(solved(four_bar + more), "a.links.rocker.J"); };
     CHECK(J("links.rocker.mass = \"3 kg\"\n") == doctest::Approx(3.0 * 0.08 * 0.08 / 12.0).epsilon(1e-15));
     CHECK(J("links.rocker = { mass = \"3 kg\", J = \"1 kg*m^2\" }\n") == 1.0);
@@ -272,7 +272,7 @@ points = { S3 = ["55 mm", "0 mm"], P = { r = "40 mm", angle = "-20 deg" } }
     CHECK(J("") == 0.0);
   }
 
-  TEST_CASE("links and joints of one's own are added to a template") {
+  TEST_CASE("typed links and joints are added to a template") {
     const auto p = solved(slider + R"(links.crank.points.W = ["-30 mm", "0 mm"]
 links.pump = { points = { V = ["0 mm", "0 mm"], W = ["80 mm", "0 mm"] }, angle = "0 deg", origin = ["-110 mm", "0 mm"] }
 links.plunger = { points = { V = ["0 mm", "0 mm"] }, angle = "0 deg", mass = "1 kg" }
@@ -285,7 +285,7 @@ joints.bore = { type = "prismatic", links = ["plunger", "ground"], points = ["V"
     CHECK(account::worst(project::verdicts(p)) == account::State::pass);
   }
 
-  TEST_CASE("friction in a template's joints is the user's") {
+  TEST_CASE("friction in a template's joints is that of the user") {
     const auto p = solved(slider + "links.slider.mass = \"9 kg\"\njoints.guide.c = \"20 N*s/m\"\n");
     CHECK(value(p, "a.joints.guide.c") == 20.0);
     CHECK(mean(*p.value("a.drive.P")) > 0.1);
@@ -300,13 +300,13 @@ joints.bore = { type = "prismatic", links = ["plunger", "ground"], points = ["V"
     CHECK(value(p, "a.links.rod.J") == doctest::Approx(6.0 * 0.04 / 12.0).epsilon(1e-12));
   }
 
-  TEST_CASE("a part of a turn needs no whole one, and starts where it is said to") {
+  TEST_CASE("a part of a revolution needs no full one, and starts at the given angle") {
     const auto p = solved(replaced(replaced(slider, "l = \"200 mm\"", "l = \"40 mm\""), "positions = 12",
                                    "at = [\"170 deg\", \"180 deg\"]"));
     CHECK(p.value("a.points.B.x")->si[1] == doctest::Approx(-0.01).epsilon(1e-12));
   }
 
-  TEST_CASE("the report has the template, its parameters, and where values come from") {
+  TEST_CASE("the report has the template, its parameters, and the origin of values") {
     const auto p = solved(slider + "links.rod.mass = \"1 kg\"\n");
     const std::string text = report::markdown(report::build(p, "loadpath"), "a").text;
     CHECK(text.find("Template slider_crank: Slider-crank, central or offset") != std::string::npos);
@@ -322,7 +322,7 @@ joints.bore = { type = "prismatic", links = ["plunger", "ground"], points = ["V"
 }
 
 TEST_SUITE("mechanism template faults") {
-  TEST_CASE("a template, a parameter or a link that does not exist is told with the nearest one") {
+  TEST_CASE("a template, a parameter or a link that does not exist is reported with the nearest one") {
     CHECK(issues_of(replaced(slider, "slider_crank", "slidercrank")) ==
           R"(a.toml:4:13: error: unknown template 'slidercrank'
 4 | template = "slidercrank"
@@ -367,13 +367,13 @@ TEST_SUITE("mechanism template faults") {
         "... }]");
   }
 
-  TEST_CASE("a parameter is checked as every field") {
+  TEST_CASE("a parameter is checked like every field") {
     CHECK(said(slider, "\"50 mm\"", "\"-5 mm\"") == "a.r: r = -5 mm: must be > 0 mm");
     CHECK(said(slider, "\"50 mm\"", "\"5 kg\"") ==
           "a.r: '5 kg' is a mass, a length is expected; write a unit such as mm");
   }
 
-  TEST_CASE("what the template gives is not given again") {
+  TEST_CASE("what the template gives cannot be given again") {
     CHECK(said(slider, "r = \"50", "links.rod.angle = \"3 deg\"\nr = \"50") ==
           "a.links.rod.angle: 'links.rod.angle' comes from the template 'slider_crank'; leave it out; mass, J "
           "and S of its links, friction in its joints and new points are free");
@@ -382,7 +382,7 @@ TEST_SUITE("mechanism template faults") {
           std::string::npos);
   }
 
-  TEST_CASE("a point of the template given the other way is told once, and a link that stands twice too") {
+  TEST_CASE("a point of the template given in the other way is reported once, and so is a duplicate link") {
     CHECK(said(slider, "r = \"50", "links.rod.points.B = { r = \"1 mm\", angle = \"0 deg\" }\nr = \"50")
               .starts_with("a.links.rod.points.B: 'links.rod.points.B' comes from the template 'slider_crank'; "));
     CHECK(said(slider, "r = \"50",
@@ -390,14 +390,14 @@ TEST_SUITE("mechanism template faults") {
           "a.links: the name 'rod' is used twice in 'links'");
   }
 
-  TEST_CASE("a bar with a mass centre of its own needs its inertia") {
+  TEST_CASE("a bar with a typed mass centre needs its inertia") {
     CHECK(said(slider, "r = \"50", "links.rod = { mass = \"1 kg\", S = \"B\" }\nr = \"50") ==
           "a.links.rod: 'links.rod.J' is missing: 'rod' has its own mass centre, so the slender-bar default does not "
           "apply; write J = "
           "\"... kg*m^2\", about the mass centre; 0 kg*m^2 where its mass is in that point");
   }
 
-  TEST_CASE("a crank that cannot turn round is told with the numbers") {
+  TEST_CASE("a crank that cannot revolve is reported with the numbers") {
     const std::string remedy =
         "; change a length, or solve part of a revolution: crank = { at = [\"0 deg\", \"10 deg\"] }";
     const auto part = [](double least, double most) {
@@ -458,7 +458,7 @@ TEST_SUITE("mechanism template faults") {
               .starts_with("press.r: the crank cannot make a full revolution: its pin moves as far as "));
   }
 
-  TEST_CASE("lengths that do not meet at the first position are told by name") {
+  TEST_CASE("lengths that do not meet at the first position are reported by name") {
     const std::string at = "at = \"0 deg\"";
     CHECK(
         said(replaced(four_bar, "positions = 12", at), "b = \"120 mm\"", "b = \"160 mm\"") ==
@@ -476,7 +476,7 @@ TEST_SUITE("mechanism template faults") {
     CHECK(said(loader->example, "s_1 = \"1 m\"", "s_1 = \"4 m\"").starts_with("loader: 'arm' ("));
   }
 
-  TEST_CASE("values that are known later are told later") {
+  TEST_CASE("errors in values that are known later are reported later") {
     CHECK(said(slider, "\"50 mm\"", "\"=5 * 50 mm\"")
               .starts_with("a.l: the crank cannot make a full revolution: the rod, l = 200 "));
   }

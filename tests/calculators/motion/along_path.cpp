@@ -10,7 +10,7 @@ SolvedStep along(const std::string& lines) { return {"motion.along_path", lines}
 }  // namespace
 
 TEST_SUITE("motion along path") {
-  TEST_CASE("on a circumference by s = 1 - 3 t + 2 t^2, [WriterBay-38872]") {
+  TEST_CASE("on a circle by s = 1 - 3 t + 2 t^2, [WriterBay-38872]") {
     const auto p = along("x = \"5 m*cos(q)\"\ny = \"5 m*sin(q)\"\nS = \"1 m - 3 m/s*t + 2 m/s^2*t^2\"\nt = \"2 s\"\n");
     CHECK(near(p("v"), 5.0));
     CHECK(near(p("a_tau"), 4.0));
@@ -20,7 +20,7 @@ TEST_SUITE("motion along path") {
     CHECK(near(std::hypot(p("a_x"), p("a_y")), p("a")));
   }
 
-  TEST_CASE("a screw line backwards: the closed form along every axis") {
+  TEST_CASE("a helix backwards: the closed form along every axis") {
     const auto p = along("x = \"3 m*cos(q)\"\ny = \"3 m*sin(q)\"\nz = \"4 m*q\"\nS = \"-10 m/s^2*t^2\"\nt = \"1 s\"\n");
     const double q = -2.0, q_1 = -4.0, q_2 = -4.0;  // q = S/5 and its derivatives
     CHECK(near(p("q_t"), q));
@@ -33,7 +33,7 @@ TEST_SUITE("motion along path") {
     CHECK(near(p("rho"), 25.0 / 3));
   }
 
-  TEST_CASE("a point whose distance follows from its coordinates has the same motion as by them") {
+  TEST_CASE("a point whose distance follows from its coordinates has the same motion as from them") {
     // x = 1 m sinh(q), y = 1 m cosh(q) - a catenary turned: arc length of y = cosh(x) is sinh(x)
     const auto p = along(
         "x = \"1 m*q\"\ny = \"0.5 m*(exp(q) + exp(-q))\"\nS = \"0.5 m*(exp(t/(1 s)) - exp(-t/(1 s)))\"\n"
@@ -48,7 +48,7 @@ TEST_SUITE("motion along path") {
     CHECK(std::abs(p("a_x")) < 1e-8);
   }
 
-  TEST_CASE("the place does not depend on the parameter of the path, and S counts from q_0") {
+  TEST_CASE("the position does not depend on the parameter of the path, and S counts from q_0") {
     const std::string law = "S = \"7 m\"\nt = \"0 s\"\n";
     const auto plain = along("x = \"2 m*q\"\ny = \"1 m*q^2\"\n" + law);
     const auto faster = along("x = \"2 m*exp(q) - 2 m\"\ny = \"1 m*(exp(q) - 1)^2\"\n" + law);

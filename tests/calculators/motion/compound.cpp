@@ -17,7 +17,7 @@ TEST_SUITE("motion compound") {
     CHECK(p.word("sense") == "none");
   }
 
-  TEST_CASE("what moves along the axis of rotation brings no Coriolis acceleration") {
+  TEST_CASE("motion along the axis of rotation has no Coriolis acceleration") {
     CHECK(point("xi = \"1 m\"\nv_zeta = \"2 m/s\"\nomega = \"5 rad/s\"\n")("a_c") == 0.0);
   }
 
@@ -37,7 +37,7 @@ TEST_SUITE("motion compound") {
     CHECK(near(against("a"), 9.0));
   }
 
-  TEST_CASE("turning the frame turns the vectors and keeps their sizes") {
+  TEST_CASE("rotating the frame rotates the vectors and keeps their magnitudes") {
     const std::string motion =
         "xi = \"0.2 m\"\neta = \"0.1 m\"\nv_xi = \"2 m/s\"\nv_eta = \"-1 m/s\"\n"
         "a_xi = \"3 m/s^2\"\nomega = \"3 rad/s\"\nepsilon = \"2 rad/s^2\"\nphi = ";
@@ -47,7 +47,7 @@ TEST_SUITE("motion compound") {
     CHECK(near(b("a_x"), -a("a_y")));
   }
 
-  TEST_CASE("the size of a vector is that of its parts, along the frame as in the fixed axes") {
+  TEST_CASE("the magnitude of a vector is that of its components, along the frame as in the fixed axes") {
     const auto p = point(
         "xi = \"0.2 m\"\neta = \"0.1 m\"\nv_xi = \"2 m/s\"\nv_eta = \"-1 m/s\"\nv_zeta = \"0.5 m/s\"\n"
         "a_xi = \"3 m/s^2\"\na_eta = \"1 m/s^2\"\na_zeta = \"-2 m/s^2\"\nomega = \"3 rad/s\"\n"
@@ -61,7 +61,7 @@ TEST_SUITE("motion compound") {
     CHECK(near(p("a"), std::hypot(p("a_x"), p("a_y"), 2.0)));
   }
 
-  TEST_CASE("derivatives of the absolute path agree: an independent way by laws of time") {
+  TEST_CASE("the derivatives of the absolute path agree: an independent way by laws of time") {
     // xi = 0.1 m + 2 m/s t on a rod that turns by 3 rad/s: x = xi cos(3 t), y = xi sin(3 t), at t = 0.2 s
     const SolvedStep law("motion.point",
                          "x = \"(0.1 m + 2 m/s*t)*cos(3*t/(1 s))\"\n"
@@ -70,7 +70,7 @@ TEST_SUITE("motion compound") {
     for (const std::string of : {"v_x", "v_y", "a_x", "a_y"}) CHECK(near(p(of), law(of), 1e-12));
   }
 
-  TEST_CASE("the same on a plate that is carried along, across it and upwards, with every part of every law") {
+  TEST_CASE("the same on a plate that moves along, transversely and upwards, with every term of every law") {
     // at t = 0.2 s on A = (t + t^2, 2 t - t^2/2), turned by 3 t + t^2/2, with xi = 0.1 + 2 t, eta = 0.3 - t + t^2/2
     const std::string xi = "(0.1 m + 2 m/s*t)", eta = "(0.3 m - 1 m/s*t + 0.5 m/s^2*t^2)";
     const std::string phi = "(3*t/(1 s) + 0.5*(t/(1 s))^2)";

@@ -18,7 +18,7 @@ TEST_SUITE("motion plane") {
     CHECK(std::isnan(b("x_P")));
   }
 
-  TEST_CASE("equal magnitudes that are opposite turn about the middle of AB") {
+  TEST_CASE("equal and opposite velocities are a rotation about the middle of AB") {
     const auto b = body(level + "v_B = \"-1 m/s\"\nalpha_B = \"90 deg\"\n");
     CHECK(b.word("kind") == "rotation");
     CHECK(near(b("x_P"), 1.0));
@@ -26,7 +26,7 @@ TEST_SUITE("motion plane") {
     CHECK(near(b("omega"), -1.0));
   }
 
-  TEST_CASE("of unequal velocities across AB the pole lies on AB, outside where they have one sense") {
+  TEST_CASE("with unequal velocities across AB the pole lies on AB, outside where they have the same direction") {
     CHECK(near(body(level + "v_B = \"3 m/s\"\nalpha_B = \"90 deg\"\n")("x_P"), -1.0));
     CHECK(near(body(level + "v_B = \"-3 m/s\"\nalpha_B = \"90 deg\"\n")("x_P"), 0.5));
   }
@@ -40,7 +40,7 @@ TEST_SUITE("motion plane") {
     CHECK(near(b("v_B"), 1.0));
   }
 
-  TEST_CASE("every point moves across the line to the pole, as fast as its distance") {
+  TEST_CASE("every point moves perpendicular to the line to the pole, with a speed proportional to its distance") {
     const auto b = body(
         "A = [\"0 m\", \"4 m\"]\nB = [\"3 m\", \"0 m\"]\nv_A = \"0.6 m/s\"\nalpha_A = \"-90 deg\"\n"
         "alpha_B = \"0 deg\"\npoints = [{ name = \"C\", x = \"-1 m\", y = \"7 m\" }]\n");
@@ -49,7 +49,7 @@ TEST_SUITE("motion plane") {
     CHECK(std::abs(b("states.C.v_x") * dx + b("states.C.v_y") * dy) < 1e-12);
   }
 
-  TEST_CASE("the pole of accelerations has none") {
+  TEST_CASE("the pole of accelerations has zero acceleration") {
     const auto b = body(
         "A = [\"1 m\", \"2 m\"]\nv_A = \"3 m/s\"\nomega = \"2 rad/s\"\na_A = \"5 m/s^2\"\n"
         "alpha_aA = \"30 deg\"\nepsilon = \"-3 rad/s^2\"\n");
@@ -61,12 +61,12 @@ TEST_SUITE("motion plane") {
     CHECK(again("states.Q.a") < 2e-5);  // the place is given to six digits
   }
 
-  TEST_CASE("a body at rest is said to rest") {
+  TEST_CASE("a body at rest is reported as at rest") {
     const auto b = body("A = [\"0 m\", \"0 m\"]\nv_A = \"0 m/s\"\nomega = \"0 rad/s\"\n");
     CHECK(b.word("kind") == "rest");
   }
 
-  TEST_CASE("what does not fit a rigid body is refused with its reason") {
+  TEST_CASE("input that does not fit a rigid body is refused with the reason") {
     const std::string A = "A = [\"0 m\", \"0 m\"]\nv_A = \"1 m/s\"\n";
     const std::string AB = A + "B = [\"2 m\", \"0 m\"]\n";
     const std::string rows[][2] = {

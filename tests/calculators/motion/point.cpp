@@ -11,7 +11,7 @@ SolvedStep point(const std::string& lines) { return {"motion.point", lines}; }
 }  // namespace
 
 TEST_SUITE("motion point") {
-  TEST_CASE("the parts of the acceleration make up the whole, at any time") {
+  TEST_CASE("the components of the acceleration add up to the total, at any time") {
     for (const std::string t : {"0.03 s", "0.2 s", "0.41 s", "0.77 s", "1.9 s"}) {
       CAPTURE(t);
       const auto p = point(ellipse + "t = \"" + t + "\"\n");
@@ -41,7 +41,7 @@ TEST_SUITE("motion point") {
     CHECK(std::isnan(point("x = \"1 m/s^2*t^2\"\nt = \"0 s\"\n")("cos_x")));
   }
 
-  TEST_CASE("a straight path has no radius of curvature, and its way counts both ways of a return") {
+  TEST_CASE("a straight path has no radius of curvature, and its distance counts both ways of a return") {
     const auto p = point("x = \"2 m*sin(pi*t/(1 s))\"\nt = \"0.1 s\"\nt_1 = \"0 s\"\nt_2 = \"1 s\"\n");
     CHECK(std::isnan(p("rho")));
     CHECK(p("a_n") == 0.0);
@@ -50,7 +50,7 @@ TEST_SUITE("motion point") {
     CHECK(p.word("change") == "slower");
   }
 
-  TEST_CASE("where the point rests there is no tangent, hence no part of the acceleration") {
+  TEST_CASE("where the point is at rest there is no tangent, hence no component of the acceleration") {
     const auto p = point("x = \"2 m*sin(pi*t/(1 s))\"\nt = \"0.5 s\"\n");
     CHECK(p("v") == 0.0);
     CHECK(std::isnan(p("a_tau")));
@@ -58,7 +58,7 @@ TEST_SUITE("motion point") {
     CHECK(p.word("change") == "at_rest");
   }
 
-  TEST_CASE("a circle at constant speed is steady, and its acceleration points to the middle") {
+  TEST_CASE("a circle at constant speed is steady, and its acceleration points to the centre") {
     const auto p = point("x = \"2 m*cos(3*t/(1 s))\"\ny = \"2 m*sin(3*t/(1 s))\"\nt = \"0.4 s\"\n");
     CHECK(p.word("change") == "steady");
     CHECK(near(p("a_n"), 18.0));
@@ -66,19 +66,19 @@ TEST_SUITE("motion point") {
     CHECK(near(p("a_x") / p("x_M"), -9.0));
   }
 
-  TEST_CASE("units do not matter") {
+  TEST_CASE("the choice of units does not matter") {
     const auto a = point("x = \"40 mm*t^2/(1 s^2)\"\nt = \"1500 ms\"\n");
     const auto b = point("x = \"0.04 m*t^2/(1 s^2)\"\nt = \"1.5 s\"\n");
     CHECK(near(a("v"), b("v"), 1e-14));
   }
 
-  TEST_CASE("states at given times stand in their order") {
+  TEST_CASE("states at given times are listed in the given order") {
     const auto p = point(ellipse + "t = \"0 s\"\ntimes = [[\"1 s\"], [\"0.5 s\"]]\n");
     CHECK(near(p("states[1].y"), -5.0));
     CHECK(near(p("states[2].x"), 3.0));
   }
 
-  TEST_CASE("what cannot be a motion is refused with its reason") {
+  TEST_CASE("an impossible motion is refused with the reason") {
     const Refused rows[] = {
         {"x = \"3*t\"\nt = \"0 s\"\n", "length"},
         {"x = \"3 m*q\"\nt = \"0 s\"\n", "q"},

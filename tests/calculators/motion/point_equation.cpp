@@ -64,7 +64,7 @@ TEST_SUITE("motion point equation") {
     check_paths(rows);
   }
 
-  TEST_CASE("conics: of one law linear, of both with two powers, of waves, of exponentials") {
+  TEST_CASE("conics: with one linear law, with two powers, with waves, with exponentials") {
     const PathRow rows[] = {
         {"2 m*T - 1 m", "4 m*T^2", "y = (x + 1)^2", "parabola"},
         {"2 m*T", "6 m*T - 5 m*T^2", "y = -1.25*x^2 + 3*x", "parabola"},
@@ -105,7 +105,7 @@ TEST_SUITE("motion point equation") {
     CHECK(path("1 m*T", "1 m*T", "").word("form") == "no_range");
   }
 
-  TEST_CASE("the limits are those of the branch, with the places where a coordinate turns back") {
+  TEST_CASE("the limits are those of the branch, with the points where a coordinate turns back") {
     const auto quarter = path("3 m*sin(pi*T)", "5 m*cos(pi*T)", "t_1 = \"0.25 s\"\nt_2 = \"0.8 s\"\n");
     CHECK(quarter.word("path") == "(x/3)^2 + (y/5)^2 = 1");
     CHECK(near(quarter("x_min"), 3.0 * std::sin(0.8 * std::numbers::pi)));
@@ -125,7 +125,7 @@ TEST_SUITE("motion point equation") {
     CHECK(upright.word("path_z") == "z = y^2");
   }
 
-  TEST_CASE("a curve that misses the points is found out, by its distance from them") {
+  TEST_CASE("a curve that misses the points is detected, by its distance from them") {
     loadpath::motion::PathCoordinate x{"x", "", {}}, y{"y", "", {}};
     for (int i = 0; i < 100; ++i) {
       x.values.push_back(3.0 * std::cos(0.1 * i));

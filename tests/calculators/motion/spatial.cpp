@@ -75,7 +75,7 @@ TEST_SUITE("motion spatial") {
     CHECK(std::abs(std::sin(s("delta")) / std::sin(s("gamma")) - turn / spin) < 1e-5);
   }
 
-  TEST_CASE("a boom that is raised while its crane turns, by hand") {
+  TEST_CASE("a boom that is raised while its crane slews, by hand") {
     const SolvedStep s("motion.spatial",
                        "psi = \"0.3*t/(1 s)\"\ntheta = \"60 deg - 0.5*t/(1 s)\"\nt = \"0 s\"\nzeta = \"12 m\"\n");
     // Up 12 m sin 30 deg; the tip rises by 0.5 rad/s 12 m cos 30 deg, moves inwards by 3 m/s, sideways by 0.3 rad/s.
@@ -89,7 +89,7 @@ TEST_SUITE("motion spatial") {
     CHECK(near(s("a_x"), -2.0 * 0.3 * 3.0));
   }
 
-  TEST_CASE("laws that are none, and no law at all") {
+  TEST_CASE("expressions that are not laws, and no law at all") {
     const Refused rows[] = {{"t = \"1 s\"\n", "the law of one angle"},
                             {"psi = \"3 m*t/(1 s)\"\nt = \"1 s\"\n", "psi"},
                             {"phi = \"1/t*(1 s)\"\nt = \"0 s\"\n", "no value"}};

@@ -98,7 +98,7 @@ TEST_SUITE("motion spherical four bar") {
     }
   }
 
-  TEST_CASE("the type follows from the links that revolve") {
+  TEST_CASE("the type follows from the links that can revolve") {
     for (const Sample& sample : samples) {
       CAPTURE(sample.type);
       CHECK(linkage(sample.arcs, sample.phi[0]).word("type") == sample.type);
@@ -222,7 +222,7 @@ TEST_SUITE("motion spherical four bar") {
     CHECK(broken_rules(410, 40, 60).empty());  // a revolution further
   }
 
-  TEST_CASE("small arcs are a planar linkage") {
+  TEST_CASE("small arcs approach a planar linkage") {
     // links of 3, 7, 6 and 8 at 50 deg: law of cosines of both triangles
     const double d = std::sqrt(9.0 + 64.0 - 48.0 * std::cos(50.0 * deg));
     const double delta = pi - std::asin(3.0 * std::sin(50.0 * deg) / d);
@@ -230,7 +230,7 @@ TEST_SUITE("motion spherical four bar") {
     CHECK(near(linkage({0.3, 0.7, 0.6, 0.8}, 50.0 * deg)("phi_4"), phi_4, 1e-4));
   }
 
-  TEST_CASE("linkages that do not close are refused, with the range that does") {
+  TEST_CASE("linkages that do not close are refused, with the range in which they do") {
     const std::string arcs = "n_1 = \"1 rpm\"\nalpha_1 = \"60 deg\"\nalpha_2 = \"40 deg\"\nalpha_3 = \"50 deg\"\n";
     CHECK(
         contains(SolvedStep("motion.spherical_four_bar", arcs + "alpha_4 = \"80 deg\"\nphi_1 = \"100 deg\"\n").fault(),

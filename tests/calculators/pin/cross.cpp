@@ -37,7 +37,7 @@ TEST_SUITE("pin cross") {
     CHECK(rel(in_si(solve(in).tau), 67.5 * 6.894757e6) < 0.01);
   }
 
-  TEST_CASE("[Inggo-31]: the pressures carry the torque") {
+  TEST_CASE("[Inggo-31]: the pressures transmit the torque") {
     const auto r = solve(lever());
     double T_1 = 0.0;  // p grows from the axis: p_1 at the surface
     constexpr int steps = 1000;
@@ -49,7 +49,7 @@ TEST_SUITE("pin cross") {
     CHECK(rel(in_si(r.p_2) * 0.008 * (0.064 - 0.032) * 0.25 * (0.064 + 0.032), 32.0) < 1e-12);
   }
 
-  TEST_CASE("attacked: what nothing allows, a thick pin, a torque that varies") {
+  TEST_CASE("must not pass: no allowable value, a thick pin, a torque that varies") {
     using loadpath::test::mode_with;
     for (const char* id : {"shear", "shaft_bore", "hub_bore", "shaft", "fatigue"})
       CHECK(mode_with("pin.cross", "", id) == "pass");

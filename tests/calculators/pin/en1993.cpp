@@ -28,7 +28,7 @@ En1993::Input sheet() {
 }  // namespace
 
 TEST_SUITE("pin en1993") {
-  TEST_CASE("[EC3-pin-sheet]: 35 kN in shear, safety of 4.75 in bending, 76 N*m in service") {
+  TEST_CASE("[EC3-pin-sheet]: 35 kN in shear, safety factor of 4.75 in bending, 76 N*m in service") {
     En1993::Input in = sheet();
     in.replaceable = En1993::Replaceable::yes, in.gamma_M6 = 1.0;
     const auto r = solve(in);
@@ -53,7 +53,7 @@ TEST_SUITE("pin en1993") {
     CHECK(rel(r.u_m * r.u_m + r.u_v * r.u_v, 1.0) < 1e-12);
   }
 
-  TEST_CASE("attacked: plates without distances, a pin to be replaced without its factor, a load that turns") {
+  TEST_CASE("must not pass: plates without distances, a replaceable pin without its factor, a load that rotates") {
     using loadpath::test::mode_with;
     for (const char* id : {"shear", "bending", "bearing_1", "bearing_2", "plate_1", "plate_2"})
       CHECK(mode_with("pin.en1993", "", id) == "pass");

@@ -86,13 +86,13 @@ TEST_SUITE("pin joint") {
     }
   }
 
-  TEST_CASE("[Gauthmath-21]: 136 kN shear off 15 mm in two sections at 385 MPa") {
+  TEST_CASE("[Gauthmath-21]: 136 kN shear a pin of 15 mm in two sections at 385 MPa") {
     Joint::Input in = knuckle();
     in.F = 136.0 * kN, in.d = 15.0 * mm;
     CHECK(rel(in_si(solve(in).tau_m), 385e6) < 0.001);
   }
 
-  TEST_CASE("the moment of a loose pin is that of its loads, even and falling, with a gap") {
+  TEST_CASE("the moment of a loose pin is that of its loads, uniform and decreasing, with a gap") {
     Joint::Input in = knuckle();
     in.c = 1.5 * mm;
     const double F = 50e3, a = 25, b = 40, c = 1.5, l = 2 * a + 2 * c + b;
@@ -118,7 +118,7 @@ TEST_SUITE("pin joint") {
     CHECK(rel(in_si(solve(in).tau_m / (50.0 * kN / (pi / 4.0 * in.d * in.d))), 1.0) < 1e-12);
   }
 
-  TEST_CASE("shear in the neutral axis: 4/3 of the mean of a solid pin, near twice of a thin tube") {
+  TEST_CASE("shear in the neutral axis: 4/3 of the mean of a solid pin, almost twice the mean of a thin tube") {
     Joint::Input in = knuckle();
     CHECK(rel(in_si(solve(in).tau / solve(in).tau_m), 4.0 / 3.0) < 1e-12);
     in.d_i = 39.9 * mm;
@@ -139,7 +139,7 @@ TEST_SUITE("pin joint") {
     CHECK(rel(in_si(solve(in).sigma_v), std::sqrt(3.0) * in_si(solve(in).tau)) < 1e-12);
   }
 
-  TEST_CASE("what is allowed follows from R_m and the loading, or is typed") {
+  TEST_CASE("allowable stresses follow from R_m and the loading, or are typed") {
     Joint::Input in = knuckle();
     in.R_m = 600.0 * MPa, in.loading = pin::Loading::alternating;
     CHECK(rel(solve(in).u_b, solve(in).sigma_b / (90.0 * MPa)) < 1e-12);
@@ -149,7 +149,7 @@ TEST_SUITE("pin joint") {
     CHECK(rel(solve(in).u_tau, solve(in).tau / (60.0 * MPa)) < 1e-12);
   }
 
-  TEST_CASE("pressure times speed is that of the seat which slides") {
+  TEST_CASE("pressure times speed is that of the sliding seat") {
     Joint::Input in = knuckle();
     in.n = -60.0 * rpm;
     const auto pv = [&](Joint::Held held) {
@@ -162,7 +162,7 @@ TEST_SUITE("pin joint") {
     CHECK(rel(pv(Joint::Held::loose), p_1 * v) < 1e-12);
   }
 
-  TEST_CASE("what is missing or contradicts is said") {
+  TEST_CASE("missing and contradictory inputs are reported") {
     says("held = \"loose\"\nd = \"20 mm\"\nd_i = \"20 mm\"\n", "the bore must be smaller than the pin");
     says("held = \"in_eye\"\nd = \"20 mm\"\nspread = \"falling\"\n", "needs a loose pin");
     says("held = \"loose\"\nd = \"20 mm\"\nR_m = \"500 MPa\"\n", "give loading");
@@ -170,7 +170,7 @@ TEST_SUITE("pin joint") {
     says("d = \"20 mm\"\n", "pin support missing: give held = loose");
   }
 
-  TEST_CASE("attacked: nothing passes that was not judged") {
+  TEST_CASE("must not pass: nothing passes without being assessed") {
     using loadpath::test::mode_with;
     for (const char* id : {"bending", "shear", "eye", "fork", "fatigue"})
       CHECK(mode_with("pin.joint", "", id) == "pass");

@@ -25,7 +25,7 @@ Lug::Input eye(double F, double d, double b, double t) {
 }  // namespace
 
 TEST_SUITE("pin lug") {
-  TEST_CASE("[Knuckle-19427936]: 46.88 MPa beside the bore, to the crown and in the bore") {
+  TEST_CASE("[Knuckle-19427936]: 46.88 MPa next to the bore, to the crown and in the bore") {
     const auto r = solve(eye(15, 16, 32, 20));
     for (const Stress& s : {r.sigma_n, r.tau_s, r.p}) CHECK(rel(in_si(s), 46.88e6) < 2e-4);
     const auto cheek = solve(eye(7.5, 16, 32, 10));
@@ -44,7 +44,7 @@ TEST_SUITE("pin lug") {
     CHECK(rel(solve(in).u_s, 2.0 * std::sqrt(3.0) * 31.25 / 250.0) < 1e-12);
   }
 
-  TEST_CASE("attacked: shapes that the nominal stresses do not hold for, loads that are not judged") {
+  TEST_CASE("must not pass: shapes outside the nominal stresses, loads that are not assessed") {
     using loadpath::test::mode_with;
     for (const char* id : {"net", "shear_out", "crown", "bearing"}) CHECK(mode_with("pin.lug", "", id) == "pass");
     // 50 kN over (2.5 - 1) 40 mm x 40 mm: 20.8 MPa, however wide the eye is
@@ -58,7 +58,7 @@ TEST_SUITE("pin lug") {
     CHECK(mode_with("pin.lug", "F = \"0 N\"", "net") == "none");
   }
 
-  TEST_CASE("a pin leaves its eye and its cheeks to lugs, which settle them") {
+  TEST_CASE("a pin leaves its eye and its fork cheeks to steps of pin.lug, which assess them") {
     const auto project = loadpath::test::solved_as_found(R"([joint]
 calculator = "pin.joint"
 F = "15 kN"

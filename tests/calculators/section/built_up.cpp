@@ -70,7 +70,7 @@ TEST_SUITE("section built up") {
     CHECK(std::abs(expected - 103.55) < 0.05);
   }
 
-  TEST_CASE("an angle turned and moved is the integral over its turned contour") {
+  TEST_CASE("an angle rotated and moved is the integral over its rotated contour") {
     Part part;
     part.shape = Shape::angle;
     part.h = 80.0 * mm, part.b = 60.0 * mm, part.t = 8.0 * mm, part.angle = 0.4, part.y = 30.0 * mm,
@@ -111,7 +111,7 @@ TEST_SUITE("section built up") {
     CHECK_FALSE(is_set(p.I_t));
   }
 
-  TEST_CASE("two channels back to back: twice I_y, and I_z by Steiner with the distance of the centroid") {
+  TEST_CASE("two channels back to back: twice I_y, and I_z by the parallel-axis theorem") {
     const auto* upn = find_profile("UPN 200");
     REQUIRE(upn != nullptr);
     const auto p = solve<section::BuiltUp>(of({rolled("UPN 200", 5, 0), rolled("upn200", -5, 0, pi)}));
@@ -124,8 +124,7 @@ TEST_SUITE("section built up") {
     CHECK(rel(p.I_t, 2.0 * upn->I_t) < 1e-12);
   }
 
-  TEST_CASE(
-      "the whole turned with its parts keeps its principal values; twice turned by a right angle swaps I_y, I_z") {
+  TEST_CASE("a section rotated with its parts keeps its principal values; rotated by 90 deg it swaps I_y and I_z") {
     const auto p = solve<section::BuiltUp>(of({rolled("L 100x100x10", 0, 0), plate(20, 100, 40, 30)}));
     const double turn = 0.5 * pi;
     const auto q = solve<section::BuiltUp>(of({rolled("L 100x100x10", 0, 0, turn), plate(20, 100, -30, 40, turn)}));
@@ -134,7 +133,7 @@ TEST_SUITE("section built up") {
     CHECK(rel(p.I_yz, -1.0 * q.I_yz) < 1e-12);
   }
 
-  TEST_CASE("what a part lacks is told with its place") {
+  TEST_CASE("missing data of a part are reported at their place") {
     Part circle;
     circle.shape = Shape::circle;
     CHECK(fault(of({plate(1, 1, 0, 0), circle})).path == "parts[2].d");

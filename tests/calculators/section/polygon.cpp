@@ -47,14 +47,14 @@ TEST_SUITE("section polygon") {
     CHECK(in_si(p.z_S) == doctest::Approx(0.03).epsilon(1e-12));
   }
 
-  TEST_CASE("the sense in which the corners go round, and the first corner, do not matter") {
+  TEST_CASE("neither the direction of the contour nor the first corner matters") {
     const auto p = solve<section::Polygon>(polygon({{0, 0}, {80, 0}, {80, 20}, {20, 60}, {0, 60}}));
     const auto q = solve<section::Polygon>(polygon({{20, 60}, {80, 20}, {80, 0}, {0, 0}, {0, 60}}));
     CHECK(rel(p.I_min, q.I_min) < 1e-12);
     CHECK(p.alpha == doctest::Approx(q.alpha).epsilon(1e-12));
   }
 
-  TEST_CASE("a turned rectangle far from the origin keeps its principal second moments") {
+  TEST_CASE("a rotated rectangle far from the origin keeps its principal second moments") {
     Input in;
     const double turn = 0.3;
     for (const auto& [y, z] : {Point{0, 0}, {60, 0}, {60, 20}, {0, 20}}) {
@@ -70,13 +70,13 @@ TEST_SUITE("section polygon") {
     CHECK(p.alpha == doctest::Approx(turn - 0.5 * pi).epsilon(1e-9));
   }
 
-  TEST_CASE("a square has no product of area wherever it stands, and any axis is principal") {
+  TEST_CASE("a square has no product of area wherever it is, and any axis is principal") {
     const auto p = solve<section::Polygon>(polygon({{1000, 1000}, {1050, 1000}, {1050, 1050}, {1000, 1050}}));
     CHECK(in_si(p.I_yz) == 0.0);
     CHECK(rel(p.I_min, p.I_max) < 1e-9);
   }
 
-  TEST_CASE("a hole takes away what it would be by itself") {
+  TEST_CASE("a hole subtracts what it would be by itself") {
     const auto p = solve<section::Polygon>(
         polygon({{0, 0}, {60, 0}, {60, 100}, {0, 100}}, {{{10, 10}, {50, 10}, {50, 90}, {10, 90}}}));
     CHECK(in_si(p.A) == doctest::Approx((60.0 * 100 - 40 * 80) * 1e-6).epsilon(1e-12));
@@ -97,7 +97,7 @@ TEST_SUITE("section polygon") {
     CHECK(fault(polygon(square, {{{1, 1}, {5, 1}, {5, 5}}, {{6, 6}, {9, 6}, {9, 9}}})).message.empty());
   }
 
-  TEST_CASE("a corner in line with its neighbours changes nothing and is no fault") {
+  TEST_CASE("a corner in line with its neighbours changes nothing and is not an error") {
     const Input in = polygon({{0, 0}, {5, 0}, {10, 0}, {10, 10}, {0, 10}});
     CHECK(fault(in).message.empty());
     CHECK(in_si(solve<section::Polygon>(in).A) == doctest::Approx(100e-6).epsilon(1e-12));

@@ -30,7 +30,7 @@ double utilisation(const std::string& text) { return Solved(text).value("bar.u")
 }  // namespace
 
 TEST_SUITE("section records") {
-  TEST_CASE("a record of a shape gives what its typed dimensions give") {
+  TEST_CASE("a record of a shape gives the same as its typed dimensions") {
     const std::string I = "h = \"200 mm\"\nb = \"200 mm\"\nt_w = \"9 mm\"\nt_f = \"15 mm\"\nr = \"18 mm\"\n";
     const double from_record = utilisation(section("I", I + "fabrication = \"rolled\"") + column(taken));
     // HEB 200 of the tables: A = 7810 mm2, I_y = 56.96e6, I_z = 20.03e6 mm4
@@ -40,14 +40,14 @@ TEST_SUITE("section records") {
     CHECK(from_record == doctest::Approx(utilisation(column("section = \"HEB 200\""))).epsilon(2e-3));
   }
 
-  TEST_CASE("a round bar, a rectangle: as without a record") {
+  TEST_CASE("a round bar, a rectangle: the same as without a record") {
     CHECK(utilisation(section("circle", "d = \"60 mm\"") + column(taken)) ==
           doctest::Approx(utilisation(column("d = \"60 mm\""))).epsilon(1e-9));
     CHECK(utilisation(section("rectangle", "h = \"80 mm\"\nb = \"50 mm\"") + column(taken)) ==
           doctest::Approx(utilisation(column("h = \"80 mm\"\nb = \"50 mm\""))).epsilon(1e-9));
   }
 
-  TEST_CASE("a section that does not say how it was made has the less favourable curve") {
+  TEST_CASE("a section whose manufacture is not stated has the less favourable curve") {
     const std::string tube = "d = \"88.9 mm\"\nt = \"4 mm\"\n";
     const double open = utilisation(section("ring", tube) + column(taken));
     const double hot = utilisation(section("ring", tube + "fabrication = \"hot_finished\"") + column(taken));
@@ -57,7 +57,7 @@ TEST_SUITE("section records") {
     CHECK(cold == doctest::Approx(utilisation(column("section = \"CHS 88.9x4\""))).epsilon(5e-3));
   }
 
-  TEST_CASE("thin walls are assessed for local buckling, and fail where class 3 ends") {
+  TEST_CASE("thin walls are assessed for local buckling, and fail beyond class 3") {
     const auto local = [](const std::string& t) {
       return mode_of(
           solved_as_found(section("hollow", "h = \"200 mm\"\nb = \"200 mm\"\nt = \"" + t + "\"") + column(taken)),
@@ -67,7 +67,7 @@ TEST_SUITE("section records") {
     CHECK(local("2 mm") == "not-covered");  // 97 above 42: class 4
   }
 
-  TEST_CASE("only A and I leave the walls open, and so does a section of free shape") {
+  TEST_CASE("with A and I alone the walls are not assessed, nor with a section of free shape") {
     const std::string box = section("hollow", "h = \"200 mm\"\nb = \"200 mm\"\nt = \"10 mm\"");
     std::string bar =
         column("A = \"=part.A\"\nI_y = \"=part.I_y\"\nI_z = \"=part.I_z\"\ncurve_y = \"c\"\ncurve_z = \"c\"");
@@ -81,21 +81,21 @@ TEST_SUITE("section records") {
     CHECK(mode_of(solved_as_found(polygon + bar), "bar", "local") == "not-judged");
   }
 
-  TEST_CASE("inclined principal axes: the bar buckles about the minimum one") {
+  TEST_CASE("inclined principal axes: the bar buckles about the minimum axis") {
     const std::string angle = section("angle", "h = \"100 mm\"\nb = \"100 mm\"\nt = \"10 mm\"\nr = \"12 mm\"");
     const Solved bar(angle + column(taken));
     CHECK(bar.value("bar.I_min") == doctest::Approx(bar.value("part.I_min")));
     CHECK(bar.value("bar.u") == doctest::Approx(utilisation(column("section = \"L 100x100x10\""))).epsilon(0.02));
   }
 
-  TEST_CASE("a dimension beside the record that contradicts it is another section") {
+  TEST_CASE("a dimension next to the record that contradicts it is another section") {
     const std::string bar = section("circle", "d = \"60 mm\"") + column(taken + "\nd = \"80 mm\"");
     CHECK(test::contains(test::first_error_of(bar), "d = 80 mm contradicts 'part.section.d', which has 60 mm"));
     CHECK(test::contains(test::first_error_of(section("circle", "d = \"60 mm\"") + column("section = \"=part.d\"")),
                          "takes the name of a row"));
   }
 
-  TEST_CASE("a link takes a record as a column does") {
+  TEST_CASE("a link takes a record like a column") {
     const std::string link =
         "[bar]\ncalculator = \"link.member\"\nN = \"-18 kN\"\nV = \"0.4 kN\"\nM_b = \"60 N*m\"\n"
         "l = \"400 mm\"\nends_y = \"pinned_pinned\"\nends_z = \"fixed_fixed\"\nE = \"210 GPa\"\n"
@@ -106,7 +106,7 @@ TEST_SUITE("section records") {
       CHECK(from_record.value(value) == doctest::Approx(typed.value(value)).epsilon(1e-9));
   }
 
-  TEST_CASE("no row of the tables lacks what a method needs") {
+  TEST_CASE("no row of the tables is without the values that a method needs") {
     const Solved found(column("section = { stock = \"sections/chs\" }"));
     CHECK(found.value("bar.u") < 1.0);
     for (const Issue& issue : found.issues) CHECK_MESSAGE(issue.severity != Severity::error, issue.message.text());

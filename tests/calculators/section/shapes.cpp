@@ -111,7 +111,7 @@ TEST_SUITE("section") {
     }
   }
 
-  TEST_CASE("a square tube that is all corner is a round one") {
+  TEST_CASE("a square tube whose corners are the full side is a round tube") {
     const Length d = 100.0 * mm, t = 10.0 * mm;
     const auto tube = solve<section::Hollow>({d, d, t, 0.5 * d, 0.5 * d - t});
     section::Ring::Input in{d};
@@ -173,7 +173,7 @@ TEST_SUITE("section") {
     CHECK(std::abs(in_si(p.z_S) + 6.444e-3) < 0.5e-6);
   }
 
-  TEST_CASE("twice as large: areas four times, moduli eight times, second moments sixteen times") {
+  TEST_CASE("twice as large: areas four times, section moduli eight times, second moments sixteen times") {
     const auto p = solve<section::Angle>({80.0 * mm, 50.0 * mm, 6.0 * mm, 7.0 * mm, 3.5 * mm});
     const auto q = solve<section::Angle>({160.0 * mm, 100.0 * mm, 12.0 * mm, 14.0 * mm, 7.0 * mm});
     CHECK(rel(q.A, 4.0 * p.A) < 1e-12);
@@ -207,7 +207,7 @@ TEST_SUITE("section") {
     CHECK(in_si(full.I_t) == doctest::Approx(2.0 * in_si(full.I_y)).epsilon(1e-15));
   }
 
-  TEST_CASE("torsion is given inside its limits only") {
+  TEST_CASE("torsion constants are given inside their limits only") {
     const auto thick = solve<section::Angle>({50.0 * mm, 50.0 * mm, 11.0 * mm});
     CHECK(thick.w > thickest_open_wall);
     CHECK_FALSE(is_set(thick.I_t));

@@ -85,7 +85,7 @@ TEST_SUITE("solid sections in torsion") {
     CHECK(half.I_t / mm4 == doctest::Approx(261).epsilon(0.001));
   }
 
-  TEST_CASE("an ellipse and a circle by 40 points: as close as the points") {
+  TEST_CASE("an ellipse and a circle by 40 points: as close as the points allow") {
     std::vector<Point> ellipse;
     for (int i = 0; i < 40; ++i) ellipse.push_back({20 * std::cos(i * pi / 20), 10 * std::sin(i * pi / 20)});
     const double lacks = 1 - std::sin(pi / 20) / (pi / 20);  // share of the area
@@ -108,7 +108,7 @@ TEST_SUITE("solid sections in torsion") {
           doctest::Approx(2231).epsilon(1e-3));  // differences, 80 per side: 2229
   }
 
-  TEST_CASE("place, sense and first corner do not matter; size to the fourth power") {
+  TEST_CASE("position, direction of the contour and first corner do not matter; size to the fourth power") {
     const auto r = solve<SolidTorsion>(section_of({{0, 0}, {30, 0}, {25, 12}, {5, 20}}));
     const auto turned = solve<SolidTorsion>(section_of({{5005, 20}, {5025, 12}, {5030, 0}, {5000, 0}}));
     CHECK(rel(turned.I_t, r.I_t) < 1e-9);
@@ -117,7 +117,7 @@ TEST_SUITE("solid sections in torsion") {
     CHECK(rel(large.I_t / mm4, 1e12 * (r.I_t / mm4)) < 1e-12);
   }
 
-  TEST_CASE("an inner corner: no section modulus, and the part does not pass") {
+  TEST_CASE("a re-entrant corner: no section modulus, and the part does not pass") {
     const std::string angle =
         "points = [[\"0 mm\", \"0 mm\"], [\"60 mm\", \"0 mm\"], [\"60 mm\", \"20 mm\"], [\"20 mm\", \"20 mm\"], "
         "[\"20 mm\", \"40 mm\"], [\"0 mm\", \"40 mm\"]]\ntheta_adm = ";

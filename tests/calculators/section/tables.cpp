@@ -63,7 +63,7 @@ Properties tapered_channel(const Row& row) {
 }  // namespace
 
 TEST_SUITE("section tables") {
-  TEST_CASE("IPE, HEA, HEB and HEM are what their sizes make them, the torsion constant within 4.5 %") {
+  TEST_CASE("the values of IPE, HEA, HEB and HEM follow from their dimensions, the torsion constant within 4.5 %") {
     std::size_t count = 0;
     for (const char* table : {"sections/ipe", "sections/hea", "sections/heb", "sections/hem"}) {
       count += for_family(table, [](const Row& row) {
@@ -75,7 +75,7 @@ TEST_SUITE("section tables") {
     CHECK(count == 90);
   }
 
-  TEST_CASE("W sections are what their sizes make them, but for the fillets, which the table does not give") {
+  TEST_CASE("the values of W sections follow from their dimensions, but for the fillets, which are not in the table") {
     const std::size_t count = for_family("sections/w", [](const Row& row) {
       const auto p = solve<section::I>({{row.h, row.b, row.t_w, row.t_f}});
       CHECK(in_si(p.A) / in_si(row.A) < 1.03);
@@ -116,7 +116,7 @@ TEST_SUITE("section tables") {
     CHECK(for_family("sections/mc", channel) == 40);
   }
 
-  TEST_CASE("American hollow sections are what their design thickness makes them, with corners of twice it") {
+  TEST_CASE("the values of American hollow sections follow from their design thickness, outer radii twice that") {
     const std::size_t count = for_family("sections/hss", [](const Row& row) {
       const auto p = solve<section::Hollow>({row.h, row.b, row.t_w, 2.0 * row.t_w, row.t_w});
       CHECK(rel(row.A, p.A) < 0.02);
@@ -142,7 +142,7 @@ TEST_SUITE("section tables") {
     }
   }
 
-  TEST_CASE("UPE are what their sizes make them, with the distance of their centroid") {
+  TEST_CASE("the values of UPE follow from their dimensions, with the distance of their centroid") {
     const std::size_t count = for_family("sections/upe", [](const Row& row) {
       const auto p = solve<section::Channel>({row.h, row.b, row.t_w, row.t_f, row.r});
       check_against(row, p, {0.004, 0.005, 0.17});
@@ -170,7 +170,7 @@ TEST_SUITE("section tables") {
     CHECK(count == 16);
   }
 
-  TEST_CASE("equal angles are what their sizes make them, with the least second moment about a principal axis") {
+  TEST_CASE("the values of equal angles follow from their dimensions, I_min about a principal axis") {
     const std::size_t count = for_family("sections/l_equal", [](const Row& row) {
       const section::Angle::Input in{row.h, row.b, row.t_w, row.r, row.r_2};
       REQUIRE(broken<section::Angle>(in).empty());
@@ -195,7 +195,7 @@ TEST_SUITE("section tables") {
     CHECK(count == 162);
   }
 
-  TEST_CASE("hollow rectangles are what EN 10210-2 makes of their sizes, torsion and all, within 0.5 %") {
+  TEST_CASE("hollow rectangles agree with EN 10210-2 for their dimensions, torsion included, within 0.5 %") {
     std::size_t count = 0;
     for (const char* table : {"sections/rhs", "sections/shs"}) {
       count += for_family(table, [](const Row& row) {

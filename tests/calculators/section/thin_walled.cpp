@@ -82,7 +82,7 @@ TEST_SUITE("thin-walled sections") {
     CHECK(solve<ThinWalled>(in).I_B / mm4 == doctest::Approx(814.2857142857e4).epsilon(1e-12));
   }
 
-  TEST_CASE("two equal cells: nothing flows in the web between them, and it changes nothing") {
+  TEST_CASE("two equal cells: no shear flow in the web between them, which changes nothing") {
     auto in = section_of(1000);
     in.cells = {cell("a", 10000), cell("b", 10000)};
     in.walls = {wall("a", "", 300, 3), wall("a", "b", 100, 3), wall("b", "", 300, 3)};
@@ -93,7 +93,7 @@ TEST_SUITE("thin-walled sections") {
     CHECK(rel(solve<ThinWalled>(in).I_B, two.I_B) < 1e-14);
   }
 
-  TEST_CASE("a thin round tube: exact stiffness and stress to the square of its thickness, on the safe side") {
+  TEST_CASE("a thin round tube: exact stiffness, and stress to the square of its thickness, on the safe side") {
     for (const double t : {1.0, 5.0, 10.0}) {  // mean radius 50 mm
       auto in = section_of(1000);
       in.cells = {cell("1", pi * 2500)};
@@ -107,7 +107,7 @@ TEST_SUITE("thin-walled sections") {
     }
   }
 
-  TEST_CASE("any section: the torque of its flows and strips is the torque, and all cells twist alike") {
+  TEST_CASE("any section: the torque of its shear flows and strips is the torque, and all cells have the same twist") {
     std::mt19937 random(4);
     const auto draw = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
     const char* const names[] = {"a", "b", "c", "d"};
@@ -137,7 +137,7 @@ TEST_SUITE("thin-walled sections") {
     }
   }
 
-  TEST_CASE("what is said against a section names the reason") {
+  TEST_CASE("an error message for a section names the reason") {
     const auto fault = [](const std::string& lines) { return test::ExampleStep("section.thin_walled", lines).fault(); };
     const std::string one = "cells = [{ name = \"a\", A = \"10000 mm^2\" }]\nwalls = ";
     CHECK(fault(one + "[{ cell = \"a\", l = \"353 mm\", t = \"4 mm\" }]").find("go around 9916") != std::string::npos);

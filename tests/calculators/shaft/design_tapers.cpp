@@ -119,7 +119,7 @@ TEST_SUITE("shaft tapers") {
   }
 
   // Gere: a force on the small end of a cone stresses it most where it is half as thick again, 128 F l/(27 pi d^3).
-  TEST_CASE("a force on the end of a cone: the weakest section is 1.5 times as thick, or at the large end") {
+  TEST_CASE("a force on the end of a cone: the weakest section is at 1.5 times its diameter, or at the large end") {
     for (const double F_y : {0.0, 7000.0}) {
       Design::Input in = shaft_on(400.0, 700.0);
       in.pieces = {piece(400.0, 40.0, 80.0), piece(300.0, 80.0, 80.0)};
@@ -135,7 +135,7 @@ TEST_SUITE("shaft tapers") {
     }
   }
 
-  TEST_CASE("it tires first elsewhere than it yields, where torque starts and stops") {
+  TEST_CASE("fatigue and yield govern at different sections, where the torque starts and stops") {
     const std::string lines = test::with(cone_end(tired), "seats",
                                          "[{ x = \"0 mm\", F_x = \"2 kN\", T = \"400 N*m\" }, { x = \"200 mm\", way = "
                                          "\"balances\" }]");
@@ -152,7 +152,7 @@ TEST_SUITE("shaft tapers") {
     CHECK(least < solved.value("axle.safeties.cone.n_Goodman"));
   }
 
-  TEST_CASE("no taper is a cylinder, to the bit; hardly one hardly differs; many small steps come close") {
+  TEST_CASE("no taper is a cylinder, to the bit; a slight one hardly differs; many small steps come close") {
     Design::Input plain = shaft_on(0.0, 500.0), same = plain, hardly = plain;
     plain.pieces = same.pieces = hardly.pieces = {piece(300.0, 40.0, 40.0, 12.0), piece(200.0, 50.0, 50.0)};
     same.pieces[0].d_2 = 40.0 * mm;
@@ -177,7 +177,7 @@ TEST_SUITE("shaft tapers") {
     CHECK(in_si(close.n_T) == Approx(in_si(exact.n_T)).epsilon(1e-3));
   }
 
-  TEST_CASE("under torque alone it twists as the cone of shaft.held, and is stressed most at its small end") {
+  TEST_CASE("under torque alone it twists like the cone of shaft.held, and has the highest stress at its small end") {
     Design::Input in = shaft_on(0.0, 400.0);
     in.pieces = {piece(300.0, 60.0, 40.0, 20.0), piece(100.0, 40.0, 40.0, 20.0)};
     in.seats = {seat(0.0, 0.0), seat(400.0, 0.0)};
@@ -194,7 +194,7 @@ TEST_SUITE("shaft tapers") {
     CHECK(in_si(r.theta_max) == Approx(in_si(other.theta_max)).epsilon(1e-12));
   }
 
-  TEST_CASE("a hollow edge asks for a notch, a full one does not; what is steep is not covered") {
+  TEST_CASE("a re-entrant edge needs a notch, an outward one does not; a steep taper is not covered") {
     CHECK(contains(messages(cone_end(tired, "d = \"50 mm\", d_2 = \"40 mm\"")), "a taper begins in a re-entrant edge"));
     const std::string round = "notches = [{ x = \"100 mm\", kind = \"given\", K_t = 1, K_ts = 1 }]\n";
     CHECK_MESSAGE(Solved(cone_end(tired + round, "d = \"50 mm\", d_2 = \"40 mm\"")).errors().empty(),
@@ -213,7 +213,7 @@ TEST_SUITE("shaft tapers") {
     for (const char* mode : {"axle.yield", "axle.fatigue"}) CHECK(steep.mode(mode).state == State::not_covered);
   }
 
-  TEST_CASE("bearings and pressed hubs sit on cylinders; a key on a taper is made for a diameter of it") {
+  TEST_CASE("bearings and pressed hubs sit on cylinders; a key on a taper is made for one of its diameters") {
     const auto with_bearing = [](const std::string& more) {
       return test::with(cone_end(""), "supports", "[{ name = \"A\", x = \"50 mm\"" + more + " }, { x = \"280 mm\" }]");
     };
@@ -233,7 +233,7 @@ TEST_SUITE("shaft tapers") {
     CHECK(groove.value("axle.sections.g.d") == Approx(0.032));  // 36 mm less twice its depth
   }
 
-  TEST_CASE("what is no taper is refused") {
+  TEST_CASE("an impossible taper is refused") {
     CHECK_FALSE(Solved(cone_end("", "d = \"30 mm\", d_2 = \"0 mm\"")).errors().empty());
     CHECK_FALSE(Solved(cone_end("", "d = \"30 mm\", d_2 = \"-40 mm\"")).errors().empty());
     CHECK(contains(messages(cone_end("", "d = \"30 mm\", d_2 = \"40 mm\", d_bore = \"35 mm\"")),
@@ -248,7 +248,7 @@ TEST_SUITE("shaft tapers") {
           false);
   }
 
-  TEST_CASE("a cylinder that is searched for beside a taper passes over it, or is one with its end") {
+  TEST_CASE("a cylinder searched for next to a taper may be thicker than its end, or equal to it") {
     const std::string sought = test::with(
         cone_end("S_F = 1.5\n"), "pieces",
         "[{ name = \"cone\", l = \"100 mm\", d = \"30 mm\", d_2 = \"40 mm\" }, { l = \"200 mm\", d = \"?\" }]");

@@ -73,14 +73,14 @@ TEST_SUITE("shaft design whirl") {
     CHECK(solved.value("axle.u_n") == Approx(1.25 * 3000.0 * rpm / solved.value("axle.n_F")));
   }
 
-  TEST_CASE("a width is as good as the moment of inertia about a diameter that it makes") {
+  TEST_CASE("a typed width is equivalent to the diametral moment of inertia that it gives") {
     const double I_d = 0.4 / 2.0 + 20.0 * 0.12 * 0.12 / 12.0;
     const Solved typed(overhung(", I_p = \"0.4 kg*m^2\", I_d = \"" + std::to_string(I_d) + " kg*m^2\"", ""));
     const Solved wide(overhung(", I_p = \"0.4 kg*m^2\", b = \"120 mm\"", ""));
     CHECK(typed.value("axle.n_F") == Approx(wide.value("axle.n_F")).epsilon(1e-12));
   }
 
-  TEST_CASE("a long hub lowers the critical speed, and what passes as a point of mass fails") {
+  TEST_CASE("a long hub lowers the critical speed, and a shaft that passes with a point mass fails") {
     const Solved point(overhung("", "n = \"4300 rpm\"\n")), hub(overhung(long_hub, "n = \"4300 rpm\"\n"));
     CHECK(point.mode("axle.critical_bending").state == State::pass);
     CHECK(point.mode("axle.discs").state == State::not_judged);
@@ -93,7 +93,7 @@ TEST_SUITE("shaft design whirl") {
     CHECK(flat.mode("axle.critical_bending").state == State::pass);
   }
 
-  TEST_CASE("without moments of inertia the points of mass judge; between bearings that is open, beyond not judged") {
+  TEST_CASE("without moments of inertia point masses decide: between bearings open, beyond not assessed") {
     CHECK(mode_with("shaft.design", "", "discs") == "none");
     const std::string between = "{ x = \"150 mm\", mass = \"20 kg\" }", beyond = "{ x = \"450 mm\", mass = \"1 kg\" }";
     const auto discs = [&](const std::string& seats, const std::string& lines) {
@@ -108,7 +108,7 @@ TEST_SUITE("shaft design whirl") {
     CHECK(std::string(discs(between + known, "n = \"300 rpm\"\n")) == "not-judged");
   }
 
-  TEST_CASE("no moments of inertia at all: the points of mass, stiffened by the turning of the shaft's own pieces") {
+  TEST_CASE("no moments of inertia at all: the point masses, with the gyroscopic effect of the shaft segments") {
     const Solved solved(overhung(", I_p = \"0 kg*m^2\", I_d = \"0 kg*m^2\"", ""));
     CHECK(solved.value("axle.n_F") > solved.value("axle.n_c"));
     CHECK(solved.value("axle.n_F") == Approx(solved.value("axle.n_c")).epsilon(0.003));
@@ -116,7 +116,7 @@ TEST_SUITE("shaft design whirl") {
     CHECK(solved.value("axle.n_c") < solved.value("axle.n_R"));
   }
 
-  TEST_CASE("what is no body is refused") {
+  TEST_CASE("an impossible body is refused") {
     CHECK(contains(refused(", I_p = \"0.1 kg*m^2\""), "axle.seats.hub.I_p: it turns about a diameter too"));
     CHECK(contains(refused(", I_d = \"0.1 kg*m^2\""),
                    "axle.seats.hub.I_p: the moment of inertia about its axis is missing"));
@@ -131,7 +131,7 @@ TEST_SUITE("shaft design whirl") {
                    "needs a mass"));
   }
 
-  TEST_CASE("moments of inertia beyond reason still come to a number or to none") {
+  TEST_CASE("implausible moments of inertia still give a number or no result") {
     for (const char* body : {", I_p = \"1e12 kg*m^2\", b = \"0 mm\"", ", I_p = \"1 kg*m^2\", I_d = \"1e12 kg*m^2\"",
                              ", I_p = \"1e-30 kg*m^2\", b = \"1e6 m\""}) {
       const Solved solved(overhung(body, "n = \"4300 rpm\"\n"));

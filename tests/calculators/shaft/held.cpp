@@ -94,7 +94,7 @@ struct Sliced {
 }  // namespace
 
 TEST_SUITE("shaft held") {
-  TEST_CASE("a fixed end has two words") {
+  TEST_CASE("two words mean a fixed end") {
     const std::string bar =
         "[bar]\ncalculator = \"shaft.held\"\nG = \"80 GPa\"\ntau_adm = \"100 MPa\"\nsegments = [{ l = \"1 m\", d = "
         "\"20 mm\" }]\n"
@@ -120,7 +120,7 @@ TEST_SUITE("shaft held") {
     CHECK(r.phi_2 == 0.0);
   }
 
-  TEST_CASE("[MecMovies-6] M6.22: an aluminium tube bonded to a bronze tube; the core decides") {
+  TEST_CASE("[MecMovies-6] M6.22: an aluminium tube bonded to a bronze tube; the core governs") {
     auto in = held(End::held, End::free);
     in.segments = {segment(400, 42, 42, 30, 30, 38)};
     in.sleeves = {{{}, 0.0 * mm, 400.0 * mm, 50.0 * mm, 42.0 * mm, 26.0 * GPa, 100.0 * MPa}};
@@ -172,7 +172,7 @@ TEST_SUITE("shaft held") {
     CHECK(r.x_phi / mm == doctest::Approx(500).epsilon(1e-12));
   }
 
-  TEST_CASE("springs between a wall and nothing: stiff ones hold, the weaker end takes less") {
+  TEST_CASE("springs between a wall and a free end: stiff ones hold, the weaker end takes less") {
     auto in = held(End::elastic, End::held);
     in.segments = {segment(800, 50, 50)};
     in.torques = {torque(400, 1000)};
@@ -187,7 +187,7 @@ TEST_SUITE("shaft held") {
     CHECK(last == doctest::Approx(500).epsilon(1e-9));
   }
 
-  TEST_CASE("a torque at a rigid support goes into it; torques and steps at one place count once") {
+  TEST_CASE("a torque at a rigid support is taken by it; torques and steps at one position count once") {
     auto in = held(End::held, End::held);
     in.segments = {segment(300, 50, 50), segment(300, 50, 50)};
     in.torques = {torque(0, 5000), torque(300, 400), torque(300, 600), torque(600, -7000)};
@@ -198,14 +198,14 @@ TEST_SUITE("shaft held") {
     CHECK(r.stretches.size() == 2);
   }
 
-  TEST_CASE("the example, by quadrature of 1/(G I_p) elsewhere, all digits") {
+  TEST_CASE("the example, by independent quadrature of 1/(G I_p), all digits") {
     const test::ExampleStep example("shaft.held", "");
     CHECK(example("R_1") == doctest::Approx(-793.781752038296).epsilon(1e-12));
     CHECK(example("phi_max") == doctest::Approx(0.324348264177061 * pi / 180).epsilon(1e-12));
     CHECK(example("phi_2") == doctest::Approx(0.158726734771077 * pi / 180).epsilon(1e-12));
   }
 
-  TEST_CASE("random bars agree with themselves in 4000 slices: reactions, rotations, stress") {
+  TEST_CASE("random bars agree with their 4000 slices: reactions, rotations, stress") {
     std::mt19937 random(12);
     const auto draw = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
     for (int round = 0; round < 30; ++round) {
@@ -240,7 +240,7 @@ TEST_SUITE("shaft held") {
     }
   }
 
-  TEST_CASE("along a cone under a spread torque the largest stress may stand inside") {
+  TEST_CASE("along a cone under a distributed torque the largest stress may be inside") {
     auto in = held(End::held, End::free);
     in.segments = {segment(600, 80, 20, 0, 0, 80, 1000)};
     const auto r = solve(in);
@@ -256,7 +256,7 @@ TEST_SUITE("shaft held") {
     CHECK(at < 590);
   }
 
-  TEST_CASE("a bore in proportion and one that is hardly not give the same cone") {
+  TEST_CASE("a bore in proportion and one almost in proportion give the same cone") {
     auto exact = held(End::held, End::free), close = exact;
     exact.torques = close.torques = {torque(500, 1000)};
     exact.segments = {segment(500, 80, 40, 40, 20)};
@@ -267,7 +267,7 @@ TEST_SUITE("shaft held") {
     CHECK(rel(solve(close).phi_2, solve(exact).phi_2) < 1e-12);
   }
 
-  TEST_CASE("what is said against a bar names the reason") {
+  TEST_CASE("an error message for a bar names the reason") {
     const auto fault = [](const std::string& lines) { return test::ExampleStep("shaft.held", lines).fault(); };
     CHECK(fault("end_1 = \"free\"\nend_2 = \"free\"\nc_2 = ")
               .find("at least one end must be fixed; for free ends use shaft.torsion") != std::string::npos);

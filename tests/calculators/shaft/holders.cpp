@@ -56,7 +56,7 @@ TEST_SUITE("set screws") {
 }
 
 TEST_SUITE("retaining rings") {
-  TEST_CASE("[DIN471]: the loads of the grooves that the standard prints follow from 200 MPa and 1.2") {
+  TEST_CASE("[DIN471]: the load capacities of the grooves printed in the standard follow from 200 MPa and 1.2") {
     for (const std::string name : {"3x0.4", "4x0.4", "5x0.6", "6x0.7", "7x0.8", "8x0.8", "9x1", "10x1", "11x1", "12x1",
                                    "13x1", "14x1", "15x1", "16x1", "17x1", "18x1.2"}) {
       CAPTURE(name);

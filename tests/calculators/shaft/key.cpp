@@ -58,7 +58,7 @@ TEST_SUITE("key") {
     CHECK(rel(in_si(solve(in).tau), 200e6) < 1e-12);
   }
 
-  TEST_CASE("[DIN6892] equation 35: the moment that method C allows is the one at which the side is full") {
+  TEST_CASE("[DIN6892] equation 35: the torque that method C allows is the one at which the utilisation is 1") {
     Key::Input in = key_12x8();
     in.d = 30.0 * mm, in.b = 8.0 * mm, in.h = 7.0 * mm, in.t_1 = 4.0 * mm, in.l = 35.0 * mm;
     in.i = 2, in.R_e_2 = 500.0 * MPa;
@@ -66,7 +66,7 @@ TEST_SUITE("key") {
     CHECK(rel(solve(in).u_2, 1.0) < 1e-12);
   }
 
-  TEST_CASE("round ends bear by l - b, two keys by 1.5 of one, and each side has a strength of its own") {
+  TEST_CASE("round ends carry with l - b, two keys with 1.5 of one, and each side has a strength of its own") {
     Key::Input in = key_12x8();
     in.t_1 = 5.0 * mm, in.p_adm_1 = 100.0 * MPa, in.p_adm_2 = 50.0 * MPa, in.p_adm_k = 200.0 * MPa;
     in.form = Key::Form::A;
@@ -80,7 +80,7 @@ TEST_SUITE("key") {
     CHECK(rel(in_si(one.p_2 / solve(in).p_2), 1.5) < 1e-12);
   }
 
-  TEST_CASE("a torque counts by its size, and a shock whole") {
+  TEST_CASE("a torque counts by its magnitude, and a shock in full") {
     Key::Input in = key_12x8();
     in.T = -200.0 * N_m, in.K_A = 1.5;
     CHECK(rel(in_si(solve(in).T_eq), 300.0) < 1e-12);
@@ -90,7 +90,7 @@ TEST_SUITE("key") {
     CHECK(rel(in_si(solve(in).T_eq), 300.0) < 1e-12);
   }
 
-  TEST_CASE("the keys of the table lie between two shafts without a gap, and go into their seats with play") {
+  TEST_CASE("the diameter ranges of the table have no gap, and the keys fit their keyways with clearance") {
     double last = 6e-3;
     for (const char* name : {"2x2",   "3x3",   "4x4",   "5x5",   "6x6",   "8x7",   "10x8",  "12x8",  "14x9",
                              "16x10", "18x11", "20x12", "22x14", "25x14", "28x16", "32x18", "36x20", "40x22",
@@ -105,7 +105,7 @@ TEST_SUITE("key") {
     CHECK(last == 0.5);
   }
 
-  TEST_CASE("what is missing or contradicts is said") {
+  TEST_CASE("missing and contradictory inputs are reported") {
     check_says("d = \"50 mm\"\nl = \"70 mm\"\n", "give a key: key = \"14x9\", or b, h and t_1");
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x10\"\n", "no key '14x10' in the tables");
     check_says("d = \"50 mm\"\nl = \"12 mm\"\nkey = \"14x9\"\n", "key form A needs l > b");
@@ -122,7 +122,7 @@ TEST_SUITE("key") {
                "the standard has no key of this section and length: l = 200 mm, and it is made from 36 mm to 160 mm");
   }
 
-  TEST_CASE("a length that is found is one of the section in the standard") {
+  TEST_CASE("a length that is found is a standard length of the section") {
     const auto p = test::solved_as_found(
         "[k]\ncalculator = \"shaft.key\"\nT = \"100 N*m\"\nd = \"50 mm\"\nkey = \"14x9\"\nl = \"?\"\nl_n = \"60 mm\"\n"
         "R_e_1 = \"370 MPa\"\nR_e_2 = \"300 MPa\"\nR_e_k = \"420 MPa\"\nS_F = 1.5\ntorque = \"one_way\"\n");

@@ -37,7 +37,7 @@ project::Project solved(const std::string& text, std::vector<Issue>& issues) {
 }  // namespace
 
 TEST_SUITE("shaft") {
-  TEST_CASE("without an overhang only torsion is left, and Tresca asks what torsion with half the stress asks") {
+  TEST_CASE("without an overhang only torsion is left, and Tresca needs the same as torsion with half the stress") {
     shaft::Overhung::Input in = crank();
     in.a = 0.0 * mm;
     in.hypothesis = shaft::Overhung::Hypothesis::tresca;
@@ -54,7 +54,7 @@ TEST_SUITE("shaft") {
     CHECK(rel(in_si(solve(in).d_v), std::cbrt(32 * 3000 * 0.05 / (pi * 60e6))) < 1e-12);
   }
 
-  TEST_CASE("von Mises never asks for more than Tresca") {
+  TEST_CASE("von Mises never needs more than Tresca") {
     for (const double T : {1.0, 50.0, 150.0, 1000.0}) {
       shaft::Overhung::Input mises = crank();
       mises.T = T * N_m;
@@ -65,7 +65,7 @@ TEST_SUITE("shaft") {
     }
   }
 
-  TEST_CASE("at the least diameter the equivalent stress is the allowable one") {
+  TEST_CASE("at the minimum diameter the equivalent stress is the allowable one") {
     for (const double chi : {0.0, 0.4, 0.8}) {
       shaft::Overhung::Input in = crank();
       in.chi = chi;
@@ -87,7 +87,7 @@ TEST_SUITE("shaft") {
     CHECK(rel(in_si(solve(in).tau_Q), 4.0 / 3.0 * 3000 / (pi / 4 * 0.04 * 0.04)) < 1e-12);
   }
 
-  TEST_CASE("the crank of the slotted lever: 35.93 mm where torsion alone asks for 27.35") {
+  TEST_CASE("the crank of the slotted lever: 35.93 mm where torsion alone needs 27.35") {
     std::vector<Issue> issues;
     const project::Project p = solved(test::slotted_lever_with_two_shafts(), issues);
     REQUIRE(issues.empty());
@@ -96,7 +96,7 @@ TEST_SUITE("shaft") {
     CHECK(std::abs(p.value("crankshaft.d_stiffness")->si[0] - 0.04317) < 0.5e-5);
   }
 
-  TEST_CASE("torsion fed by a mechanism whose pin loads the shaft says that bending is not covered") {
+  TEST_CASE("torsion with the torque of a mechanism whose pin loads the shaft reports that bending is not covered") {
     std::vector<Issue> issues;
     const project::Project p = solved(test::slotted_lever_with_two_shafts(), issues);
     bool said = false;
@@ -106,7 +106,7 @@ TEST_SUITE("shaft") {
     CHECK(said);
   }
 
-  TEST_CASE("the strength of C45E follows the size that results, and beyond the last size nothing is covered") {
+  TEST_CASE("the strength of C45E follows the resulting size, and beyond the last size nothing is covered") {
     struct Row {
       double d_mm, R_e;
     };
@@ -126,7 +126,7 @@ TEST_SUITE("shaft") {
     }
   }
 
-  TEST_CASE("the bore of the least shaft is kept when the diameter is rounded up") {
+  TEST_CASE("the bore of the minimum shaft is kept when the diameter is rounded up") {
     std::vector<Issue> issues;
     const project::Project p =
         solved("[part]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\nchi = 0.6\n", issues);

@@ -45,7 +45,7 @@ const std::string drive = "P = \"5.5 kW\"\nn = \"1450 rpm\"\n";
 
 TEST_SUITE("shaft power") {
   // T = 9549 P/n = 9549.3*5.5/1450 = 36.22 N*m; d = (16 T/(pi tau))^(1/3) = (16*36222/(pi*30))^(1/3) = 18.32 mm.
-  TEST_CASE("power and speed stand in place of the torque") {
+  TEST_CASE("power and speed replace the torque") {
     CHECK(number(torsion + drive, "s.M_max") == doctest::Approx(36.22).epsilon(1e-4));
     CHECK(number(torsion + drive, "s.d_strength") == doctest::Approx(0.01832).epsilon(1e-3));
     CHECK(number(torsion + drive + "K_A = 1.5\n", "s.M_max") == doctest::Approx(54.33).epsilon(1e-3));
@@ -66,7 +66,7 @@ TEST_SUITE("shaft power") {
     }
   }
 
-  TEST_CASE("torque and power together, and half of either, are refused with the fix") {
+  TEST_CASE("torque and power together, and only one of power and speed, are refused with the fix") {
     for (const std::string& step : {torsion, overhung}) {
       CHECK(complaints(step + drive + "T = \"30 N*m\"\n").find("give T, or P with n") != std::string::npos);
       CHECK(complaints(step + "P = \"5.5 kW\"\n")
@@ -78,7 +78,7 @@ TEST_SUITE("shaft power") {
   }
 
   // phi = 32 T l/(pi G d^4) = 32*100*1/(pi*80e9*0.03^4) = 0.015719 rad.
-  TEST_CASE("the twist needs no allowable stress; what the yield would need is named") {
+  TEST_CASE("the twist needs no allowable stress; missing input for yielding is named") {
     const std::string twist =
         "calculator = \"shaft.torsion\"\nT = \"100 N*m\"\nd = \"30 mm\"\nl = \"1 m\"\nG = \"80 GPa\"\n";
     CHECK(number(twist, "s.phi") == doctest::Approx(0.015719).epsilon(1e-4));

@@ -109,7 +109,7 @@ TEST_SUITE("press fit") {
     CHECK(rel(r.u_s, 2.0 * 37.5e3 / in_si(r.F_slip)) < 1e-12);
   }
 
-  TEST_CASE("roughness takes 0.8 of both heights, a warmer hub what it grows, and a cooler one presses more") {
+  TEST_CASE("smoothing takes 0.8 of both roughness heights, a warmer hub its expansion; a cooler one presses more") {
     PressFit::Input in = gear();
     in.Rz_1 = 4.0 * um, in.Rz_2 = 6.0 * um;
     CHECK(rel(in_si(solve(in).U_w_min), 32e-6) < 1e-12);
@@ -162,7 +162,7 @@ TEST_SUITE("press fit") {
     CHECK(solve(in).u_n > 1.0);
   }
 
-  TEST_CASE("what is missing or contradicts is said") {
+  TEST_CASE("missing and contradictory inputs are reported") {
     check_says(sizes + fit, "give E and nu of shaft and hub, or a material of both");
     check_says(sizes + "U_min = \"70 um\"\nU_max = \"60 um\"\n" + steel, "U_min must not exceed U_max");
     check_says("d = \"50 mm\"\nD = \"45 mm\"\nRz_1 = \"0 um\"\nRz_2 = \"0 um\"\n" + fit + steel,

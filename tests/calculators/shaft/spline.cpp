@@ -54,7 +54,7 @@ TEST_SUITE("spline") {
     CHECK_FALSE(is_set(solve(in).tau));
   }
 
-  TEST_CASE("chamfers take of the flank, and what centres it tells how much bears") {
+  TEST_CASE("chamfers reduce the flank, and the centring determines how much of it carries") {
     Spline::Input in = gear_of_lathe();
     const double whole = in_si(solve(in).p);
     in.g = 0.5 * mm;
@@ -85,7 +85,7 @@ TEST_SUITE("spline") {
     CHECK(mode_with("shaft.spline", "R_e_1 = \nS_F = \np_adm_1 = \"100 MPa\"", "core") == "not-judged");
   }
 
-  TEST_CASE("what contradicts is said") {
+  TEST_CASE("contradictory inputs are reported") {
     CHECK(told("spline = \"8x52x61\"\n").find("no spline '8x52x61' in the tables") != std::string::npos);
     CHECK(told("z = 8.5\nd_1 = \"52 mm\"\nd_2 = \"60 mm\"\n")
               .find("the number of teeth of a spline must be an integer") != std::string::npos);

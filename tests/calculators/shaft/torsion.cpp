@@ -35,7 +35,7 @@ shaft::Torsion::Input line_shaft() {
 }  // namespace
 
 TEST_SUITE("shaft") {
-  TEST_CASE("published shafts come out as printed") {
+  TEST_CASE("published shafts agree with the printed values") {
     struct Row {
       const char* source;
       double T, tau, chi, d_mm;
@@ -83,7 +83,7 @@ TEST_SUITE("shaft") {
     CHECK(rel(in_si(r.segments[0].tau_rho), 80e9 * 0.030 * in_si(r.segments[0].theta)) < 1e-12);  // G rho theta
   }
 
-  TEST_CASE("the shear stress is linear over the radius: nothing at the axis, the largest at the surface") {
+  TEST_CASE("the shear stress is linear over the radius: zero at the axis, the largest at the surface") {
     for (const double share : {0.0, 0.25, 1.0}) {
       shaft::Torsion::Input in = shaft_under(1000, 90);
       shaft::Torsion::Segment bar;
@@ -110,7 +110,7 @@ TEST_SUITE("shaft") {
     CHECK(shaft::Torsion::radii_in_wall(in));
   }
 
-  TEST_CASE("stretches are springs in series: torque over twist, whatever the torques are") {
+  TEST_CASE("segments are springs in series: torque over twist, whatever the torques") {
     shaft::Torsion::Input in = shaft_under(12000, 60);
     in.G = 83.0 * GPa;
     for (const auto& [l, d] : {std::pair{2.0, 80.0}, {1.5, 100.0}, {2.5, 113.98}}) {
@@ -127,8 +127,7 @@ TEST_SUITE("shaft") {
     CHECK(rel(solve(in).k_t, r.k_t) < 1e-12);
   }
 
-  TEST_CASE(
-      "12 kN m that twist 6 m of steel by 3 deg ask for 113.98 mm and bring 41.27 MPa ([MATHalino] problem 305)") {
+  TEST_CASE("12 kN m that twist 6 m of steel by 3 deg need 113.98 mm and give 41.27 MPa ([MATHalino] problem 305)") {
     shaft::Torsion::Input in = shaft_under(12000, 60);
     in.G = 83.0 * GPa;
     in.theta_adm = 3.0 * deg.one / (6.0 * m);
@@ -138,14 +137,14 @@ TEST_SUITE("shaft") {
     CHECK(std::abs(r.tau_max / MPa - 41.27) < 0.005);
   }
 
-  TEST_CASE("a ring of bore ratio 0.8 keeps 0.5904 of the modulus") {
+  TEST_CASE("a ring of bore ratio 0.8 keeps 0.5904 of the section modulus") {
     shaft::Torsion::Input solid = shaft_under(1000, 40), ring = solid;
     ring.chi = 0.8;
     const double ratio_of_cubes = std::pow(solve(solid).d_strength / solve(ring).d_strength, 3);
     CHECK(rel(ratio_of_cubes, 0.5904) < 1e-12);
   }
 
-  TEST_CASE("a bore as a size gives the same shaft as the ratio that it makes") {
+  TEST_CASE("a bore as a size gives the same shaft as its ratio") {
     for (const double chi : {0.05, 0.3, 0.6, 0.9, 0.98}) {
       CAPTURE(chi);
       shaft::Torsion::Input by_ratio = line_shaft();
@@ -157,7 +156,7 @@ TEST_SUITE("shaft") {
     }
   }
 
-  TEST_CASE("a shaft twice as thick carries eight times the moment and is sixteen times as stiff") {
+  TEST_CASE("a shaft twice as thick transmits eight times the torque and is sixteen times as stiff") {
     shaft::Torsion::Input thin = line_shaft(), thick = line_shaft();
     thin.d = 50.0 * mm;
     thick.d = 100.0 * mm;
@@ -176,7 +175,7 @@ TEST_SUITE("shaft") {
     CHECK(solve(mixed).segments.size() == 3);
   }
 
-  TEST_CASE("twists add where torques add") {
+  TEST_CASE("twists superpose like torques") {
     shaft::Torsion::Input a = line_shaft(), b = line_shaft(), sum = line_shaft();
     for (std::size_t i = 0; i < 4; ++i) {
       b.torques[i].T = (i == 1 ? 500.0 : i == 3 ? -500.0 : 0.0) * N_m;
@@ -186,7 +185,7 @@ TEST_SUITE("shaft") {
     CHECK(std::abs(solve(sum).phi - solve(a).phi - solve(b).phi) < 1e-15);
   }
 
-  TEST_CASE("a fixed end carries what the torques leave over") {
+  TEST_CASE("a fixed end takes the remaining torque") {
     shaft::Torsion::Input fixed = line_shaft(), free = line_shaft();
     fixed.torques.erase(fixed.torques.begin());
     fixed.fixed = shaft::Torsion::Fixed::left;
@@ -207,7 +206,7 @@ TEST_SUITE("shaft") {
     CHECK(rel(r.phi_max, std::abs(r.segments[0].phi)) < 1e-12);
   }
 
-  TEST_CASE("a stepped shaft is judged where it is thin") {
+  TEST_CASE("a stepped shaft is assessed where it is thin") {
     shaft::Torsion::Input in;
     in.tau_adm = 40.0 * MPa;
     for (const auto& [x, T] : {std::pair{0.0, 800.0}, {0.9, -800.0}}) in.torques.push_back({Name(), x * m, T * N_m});
@@ -230,7 +229,7 @@ TEST_SUITE("shaft") {
     CHECK(rel(solve(two).u_theta, 2 * solve(one).u_theta) < 1e-15);
   }
 
-  TEST_CASE("at the least diameter the condition that governs is just met") {
+  TEST_CASE("at the minimum diameter the governing condition is just met") {
     const auto r = solve(line_shaft());
     CHECK(rel(std::max(r.u_tau, r.u_theta), 1.0) < 1e-12);
     CHECK(r.d_stiffness > r.d_strength);
@@ -245,7 +244,7 @@ TEST_SUITE("shaft") {
     CHECK(rel(solve(in).tau_all / MPa, 430 / std::sqrt(3.0) / 2) < 1e-15);
   }
 
-  TEST_CASE("a transverse force is carried into the limit that does not cover it") {
+  TEST_CASE("a transverse force goes into the limit that does not cover it") {
     shaft::Torsion::Input in = shaft_under(100, 30);
     in.F = -3654.0 * N;
     CHECK(solve(in).F_bend / N == 3654.0);

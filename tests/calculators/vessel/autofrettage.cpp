@@ -62,7 +62,7 @@ TEST_SUITE("vessel.autofrettage") {
     }
   }
 
-  TEST_CASE("pressure and radius are inverse to one another") {
+  TEST_CASE("pressure and radius are inverse to each other") {
     for (const double r_p : {51.0, 70.0, 99.0}) {
       Autofrettage::Input in = cylinder(300, r_p);
       const auto by_radius = overstrained(in);
@@ -110,7 +110,7 @@ TEST_SUITE("vessel.autofrettage") {
     CHECK(rel(overstrained(in).u_B, 1.0) < 1e-12);
   }
 
-  TEST_CASE("what it refuses") {
+  TEST_CASE("wrong input is refused") {
     const std::string step =
         "calculator = \"vessel.autofrettage\"\np = \"300 MPa\"\nR_i = \"50 mm\"\nR_a = \"100 mm\"\nR_e = \"850 MPa\"\n";
     CHECK(says(step, "give one of the autofrettage pressure"));

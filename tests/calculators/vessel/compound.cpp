@@ -76,7 +76,7 @@ TEST_SUITE("vessel.compound") {
     CHECK(in_si(open.states[1].sigma_z2) == 0.0);
   }
 
-  TEST_CASE("hoop stresses balance the internal pressure, and nothing at rest") {
+  TEST_CASE("hoop stresses balance the internal pressure, and each other without pressure") {
     for (const auto ends : {Compound::Ends::closed, Compound::Ends::open}) {
       const Compound::Input in = of_two_materials(ends);
       const auto r = compound(in);
@@ -92,7 +92,7 @@ TEST_SUITE("vessel.compound") {
     CHECK(rel(force, 250e6 * 0.05 * 0.05) < 1e-12);
   }
 
-  TEST_CASE("one material: what the pressure adds is the stress of vessel.thick") {
+  TEST_CASE("one material: the stress that the pressure adds is that of vessel.thick") {
     vessel::Thick::Input thick;
     thick.p = 250.0 * MPa, thick.R = 50.0 * mm, thick.delta = 150.0 * mm, thick.measured = vessel::Measured::inner;
     thick.R_e = 650.0 * MPa, thick.S = 1.5, thick.r = 100.0 * mm;
@@ -110,7 +110,7 @@ TEST_SUITE("vessel.compound") {
     }
   }
 
-  TEST_CASE("the optimum: both bores alike, and no other contact pressure or diameter bears more") {
+  TEST_CASE("the optimum: both bores have the same stress, and no other contact pressure or diameter carries more") {
     Compound::Input in = tubes(250, 60);
     in.R_e_1 = 800.0 * MPa;
     const auto r = compound(in);
@@ -132,7 +132,7 @@ TEST_SUITE("vessel.compound") {
     }
   }
 
-  TEST_CASE("every state counts: the loose fit for the inner tube, the tight one for the outer tube") {
+  TEST_CASE("every state counts: the loosest fit for the inner tube, the tightest for the outer tube") {
     Compound::Input in = tubes(250, 0);
     in.p_c = unset<Stress>;
     in.U_min = 200.0 * um, in.U_max = 300.0 * um;
@@ -153,7 +153,7 @@ TEST_SUITE("vessel.compound") {
     CHECK(mises.sigma_v2 >= std::sqrt(3.0) / 2.0 * tresca.sigma_v2);
   }
 
-  TEST_CASE("a warmer jacket loses its grip: the loss is a failure, and no stress is told") {
+  TEST_CASE("a warmer jacket loses its contact pressure: the loss is a failure, and no stress is reported") {
     Compound::Input in = tubes(0, 60);
     in.alpha_1 = in.alpha_2 = 12e-6 * per_kelvin, in.dT_1 = 0.0 * kelvin, in.dT_2 = 40.0 * kelvin;
     const auto warm = compound(in);
@@ -169,7 +169,7 @@ TEST_SUITE("vessel.compound") {
     CHECK(compound(in).u_U == 0.0);
   }
 
-  TEST_CASE("what it refuses") {
+  TEST_CASE("wrong input is refused") {
     const std::string step =
         "calculator = \"vessel.compound\"\np = \"9 MPa\"\nd_i = \"50 mm\"\nd = \"60 mm\"\nD = \"80 mm\"\n"
         "E_1 = \"210 GPa\"\nE_2 = \"210 GPa\"\nnu_1 = 0.3\nnu_2 = 0.3\n";

@@ -60,7 +60,7 @@ TEST_SUITE("vessel.cylinder") {
     }
   }
 
-  TEST_CASE("the thin and the thick answer lie close on both sides of 1/20, and up to 1/10") {
+  TEST_CASE("the thin and the thick solution lie close on both sides of 1/20, and up to 1/10") {
     for (const double share : {1.0 / 25, 0.0499, 0.0501, 1.0 / 15}) {
       vessel::Cylinder::Input in = vessel_24();
       in.delta = share * in.R;
@@ -82,7 +82,7 @@ TEST_SUITE("vessel.cylinder") {
     }
   }
 
-  TEST_CASE("at the least thickness the wall is just strong enough, whatever radius is meant and allowed for") {
+  TEST_CASE("at the minimum thickness the wall is just strong enough, for every radius and allowance") {
     for (const Measured measured : {Measured::mean, Measured::inner, Measured::outer}) {
       for (const Hypothesis h : {Hypothesis::tresca, Hypothesis::mises, Hypothesis::membrane}) {
         vessel::Cylinder::Input in = vessel_24();
@@ -96,7 +96,7 @@ TEST_SUITE("vessel.cylinder") {
     }
   }
 
-  TEST_CASE("the three radii of one wall give one answer") {
+  TEST_CASE("the three radii of one wall give the same result") {
     vessel::Cylinder::Input in = vessel_24();
     in.c = 1.0 * mm;
     in.measured = Measured::inner, in.R = 600.0 * mm;
@@ -108,7 +108,7 @@ TEST_SUITE("vessel.cylinder") {
     CHECK(rel(in_si(inner.R_m), 0.6045) < 1e-12);
   }
 
-  TEST_CASE("what mill and corrosion take leaves the outside where it was") {
+  TEST_CASE("mill tolerance and corrosion do not change the outside") {
     vessel::Cylinder::Input in = vessel_24();
     in.measured = Measured::outer, in.c = 1.6 * mm, in.f_t = 0.125, in.delta = 12.0 * mm;
     const auto r = cylinder(in);
@@ -119,7 +119,7 @@ TEST_SUITE("vessel.cylinder") {
     CHECK(rel(in_si(inner.R_m - 0.5 * inner.delta_c), in_si(in.R) + 1.6e-3) < 1e-12);
   }
 
-  TEST_CASE("rings and liquid alone ask for a wall too") {
+  TEST_CASE("rings with liquid alone need a wall too") {
     vessel::Cylinder::Input in;
     in.ends = vessel::Cylinder::Ends::ringed;
     in.p = 0.0 * MPa, in.rho = from_si<vessel::Density>(1000.0), in.h_l = 10.0 * m, in.R = 5.0 * m;
@@ -150,7 +150,7 @@ TEST_SUITE("vessel.cylinder") {
     CHECK(std::abs(in_si(cylinder(in).delta_min) - without - 0.002) < 2e-5);  // the radius grows by half of it
   }
 
-  TEST_CASE("stresses grow with pressure and radius and fall with thickness; scale does not matter") {
+  TEST_CASE("stresses increase with pressure and radius and decrease with thickness; scale does not matter") {
     const auto base = cylinder(vessel_24());
     vessel::Cylinder::Input in = vessel_24();
     in.p = 2.0 * in.p;
@@ -162,7 +162,7 @@ TEST_SUITE("vessel.cylinder") {
     CHECK(cylinder(in).u_v < base.u_v);
   }
 
-  TEST_CASE("a liquid presses the lowest place, and pulls along the wall only where it hangs") {
+  TEST_CASE("a liquid loads the lowest point, and the meridional direction only where the vessel hangs") {
     vessel::Cylinder::Input in = vessel_24();
     in.p = 0.0 * MPa;
     in.rho = 1000.0 * vessel::kg_per_m3, in.h_l = 10000.0 * mm;
@@ -173,7 +173,7 @@ TEST_SUITE("vessel.cylinder") {
     CHECK(rel(in_si(cylinder(in).sigma_M), head * 0.6 / 0.016) < 1e-12);
   }
 
-  TEST_CASE("rings share the hoop force, and reach only so far") {
+  TEST_CASE("rings share the hoop force, up to a limited spacing") {
     vessel::Cylinder::Input in = vessel_24();
     in.ends = Ends::ringed;
     in.A_r = 800.0 * mm2, in.l_r = 100.0 * mm;
@@ -192,7 +192,7 @@ TEST_SUITE("vessel.cylinder") {
     CHECK_FALSE(is_set(cylinder(in).delta_L));
   }
 
-  TEST_CASE("the smallest plate of the stock is taken, and the strength of its thickness") {
+  TEST_CASE("the smallest plate of the stock is taken, with the strength of its thickness") {
     const std::string step = "calculator = \"vessel.cylinder\"\np = \"1.6 MPa\"\nR = \"600 mm\"\n";
     std::vector<Issue> issues;
     project::Project p = project::read_project("[v]\n" + step + "sigma_adm = \"140 MPa\"\nc = \"1 mm\"\n", "case.toml",
@@ -206,7 +206,7 @@ TEST_SUITE("vessel.cylinder") {
     CHECK(rel(p.value("v.sigma_all")->si[0], 235e6 / 1.5) < 1e-12);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string step = "calculator = \"vessel.cylinder\"\nR = \"600 mm\"\nsigma_adm = \"140 MPa\"\n";
     CHECK(says(step + "p = \"0 MPa\"\n", "give a pressure p, or a liquid"));
     CHECK(says(step + "p = \"-1 MPa\"\n", "must be"));

@@ -56,7 +56,7 @@ TEST_SUITE("vessel.end") {
     CHECK(korbbogen.u_s < 1.0);
   }
 
-  TEST_CASE("the least thickness just carries the pressure, allowances included") {
+  TEST_CASE("the minimum thickness just carries the pressure, allowances included") {
     for (const EndForm form : {EndForm::kloepper, EndForm::korbbogen, EndForm::ellipsoidal, EndForm::hemispherical}) {
       for (const double p : {0.3, 1.0, 4.0}) {
         End::Input in = end_2000(form, 10.0 * mm);
@@ -68,7 +68,7 @@ TEST_SUITE("vessel.end") {
     }
   }
 
-  TEST_CASE("a hemisphere needs half of its cylinder; its long flange does not pass with that") {
+  TEST_CASE("a hemisphere needs half of its cylinder's thickness; its long flange does not pass with that") {
     End::Input in = end_2000(EndForm::hemispherical, 4.0 * mm);
     in.l_f = 40.0 * mm;
     CHECK(rel(end(in).u_f, 2.0 * end(in).u_s) < 1e-12);
@@ -85,7 +85,7 @@ TEST_SUITE("vessel.end") {
     CHECK(end(in).u_b == seamless.u_b);
   }
 
-  TEST_CASE("a step that takes the cylinder assesses its ends; another pressure does not") {
+  TEST_CASE("a step that takes the shell assesses its ends; one with another pressure does not") {
     const std::string taken =
         "[end]\ncalculator = \"vessel.end\"\nshell = \"=tank.shell\"\nform = \"korbbogen\"\nR_e = \"265 MPa\"\nR_m = "
         "\"410 MPa\"\n";
@@ -104,7 +104,7 @@ TEST_SUITE("vessel.end") {
     CHECK(state_of(step + "sigma_adm = \"150 MPa\"\nform = \"hemispherical\"", "end", "strength") == "pass");
   }
 
-  TEST_CASE("what it refuses") {
+  TEST_CASE("wrong input is refused") {
     const std::string step =
         "calculator = \"vessel.end\"\np = \"1 MPa\"\nD_i = \"1000 mm\"\nsigma_adm = \"150 MPa\"\nR_e = \"265 "
         "MPa\"\nR_m = \"410 MPa\"\n";

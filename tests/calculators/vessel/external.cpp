@@ -75,7 +75,7 @@ TEST_SUITE("vessel.external") {
     CHECK(ball.p_k < 0.3 * ball.p_cr);
   }
 
-  TEST_CASE("longer and thinner shells bear less, without a jump of more than 8 % between the ranges") {
+  TEST_CASE("longer and thinner shells carry less, without a jump of more than 8 % between the ranges") {
     double last = 0.0;
     for (double L = 20.0; L < 50000.0; L *= 1.02) {
       const double p_a = in_si(pressed(cylinder(1000.0 * mm, L * mm, 6.0 * mm)).p_a);
@@ -91,7 +91,7 @@ TEST_SUITE("vessel.external") {
     }
   }
 
-  TEST_CASE("the wall of a cylinder under vacuum is settled by a step that takes it") {
+  TEST_CASE("the wall of a cylinder under vacuum is assessed by a step that takes it") {
     const std::string shell =
         "[tank]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nmeasured = \"inner\"\nc = \"1 mm\"\n"
         "delta = \"10 mm\"\nsigma_adm = \"140 MPa\"\n";
@@ -112,7 +112,7 @@ TEST_SUITE("vessel.external") {
     CHECK(state(shell + vacuum + "p_e = \"3 MPa\"\n") == "fail");
   }
 
-  TEST_CASE("what it refuses") {
+  TEST_CASE("wrong input is refused") {
     const std::string step =
         "calculator = \"vessel.external\"\np_e = \"0.1 MPa\"\nD_a = \"1 m\"\nmaterial = \"P265GH\"\ndelta = \"8 mm\"\n";
     CHECK(says(step, "a cylinder needs its length L"));

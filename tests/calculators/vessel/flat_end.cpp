@@ -28,7 +28,7 @@ double resting(double p, double d, double t) { return 3.3 * 3.0 / 32.0 * p * d *
 }  // namespace
 
 TEST_SUITE("vessel.flat_end") {
-  TEST_CASE("at the allowable pressure the plate bends up to yield, between a clamped and a resting edge") {
+  TEST_CASE("at the allowable pressure the plate bends up to yield, between a clamped and a simply supported edge") {
     // the factors hold 1.5 times the allowable stress in bending, which is the yield strength where that governs it
     for (const auto& [C, edge] : {std::pair{0.17, &clamped}, std::pair{0.33, &resting}}) {
       FlatEnd::Input in = plate();
@@ -39,7 +39,7 @@ TEST_SUITE("vessel.flat_end") {
     }
   }
 
-  TEST_CASE("the least thickness is used to the full, with its allowances") {
+  TEST_CASE("the minimum thickness is fully utilised, with its allowances") {
     FlatEnd::Input in = plate();
     in.c = 2.0 * mm, in.c_t = 0.5 * mm, in.z = 0.8;
     in.delta = flat(in).delta_min;
@@ -77,7 +77,7 @@ TEST_SUITE("vessel.flat_end") {
     CHECK(solve<vessel::End>(end).u_t > 1.0);
   }
 
-  TEST_CASE("the test of the new cylinder: Tresca on the mean radius, no matter how much will corrode") {
+  TEST_CASE("the test of the new cylinder: Tresca on the mean radius, however much will corrode") {
     vessel::Cylinder::Input shell;
     shell.p = 1.0 * MPa, shell.R = 600.0 * mm, shell.measured = vessel::Measured::inner, shell.delta = 10.0 * mm;
     shell.c = 2.0 * mm, shell.z_l = 0.85, shell.R_e = 265.0 * MPa, shell.S = 1.5;
@@ -89,7 +89,7 @@ TEST_SUITE("vessel.flat_end") {
     CHECK(rel(solve<vessel::Cylinder>(shell).u_t, (1.43 + 0.04903325) * (60.5 / 0.85 + 1.0) / (265.0 / 1.05)) < 1e-9);
   }
 
-  TEST_CASE("what it refuses") {
+  TEST_CASE("wrong input is refused") {
     const std::string step = "calculator = \"vessel.flat_end\"\np = \"1 MPa\"\nD_i = \"600 mm\"\ndelta = \"40 mm\"\n";
     CHECK(says(step, "give sigma_adm, or R_e and R_m"));
     CHECK(says(step + "sigma_adm = \"110 MPa\"\np_t = \"1.5 MPa\"\nh_t = \"0 mm\"", "a test needs the yield strength"));

@@ -64,7 +64,7 @@ TEST_SUITE("vessel section") {
     }
   }
 
-  TEST_CASE("an ellipsoid and a shell of points have the same thickness all along") {
+  TEST_CASE("an ellipsoid and a shell of points have a constant thickness") {
     auto in = loaded<vessel::Ellipsoid::Input>(2.0);
     in.a = 600.0 * mm, in.b = 300.0 * mm, in.delta = 15.0 * mm;
     const Drawing::Area wall = wall_of(section_of<vessel::Ellipsoid>(in));
@@ -78,7 +78,7 @@ TEST_SUITE("vessel section") {
     }
   }
 
-  TEST_CASE("the enlarged wall is told by its parts: ordered, corroded, left out by the mill, carrying") {
+  TEST_CASE("the enlarged wall is labelled with its parts: ordered, corrosion, mill tolerance, load-carrying") {
     auto in = loaded<vessel::Cylinder::Input>(1.6);
     in.R = 600.0 * mm, in.c = 1.0 * mm, in.c_t = 0.3 * mm;
     for (const Measured measured : {Measured::inner, Measured::mean, Measured::outer}) {
@@ -117,7 +117,7 @@ TEST_SUITE("vessel section") {
     CHECK(drawing_of(section_of<vessel::Sphere>(in)).views[0].surfaces.empty());
   }
 
-  TEST_CASE("the pressure stands on the inside, outwards") {
+  TEST_CASE("the pressure acts on the inside, outwards") {
     auto in = loaded<vessel::Sphere::Input>(4.0);
     in.R = 600.0 * mm;
     const auto figure = section_of<vessel::Sphere>(in);
@@ -130,7 +130,7 @@ TEST_SUITE("vessel section") {
     }
   }
 
-  TEST_CASE("odd vessels: a film, a thick pipe, tall and flat, a ring that almost closes, rings around") {
+  TEST_CASE("unusual vessels: a film, a thick pipe, tall and flat, a torus that almost closes, rings around") {
     auto pipe = loaded<vessel::Cylinder::Input>(60.0);
     pipe.R = 50.0 * mm, pipe.f_t = 0.125, pipe.ends = vessel::Cylinder::Ends::open;
     section_of<vessel::Cylinder>(pipe);

@@ -53,7 +53,7 @@ TEST_SUITE("vessel.sphere") {
     CHECK(rel(in_si(tresca.sigma_L), 1.5e6 * 1.6 * b3 / (b3 - R_i * R_i * R_i)) < 1e-12);
   }
 
-  TEST_CASE("a sphere full of liquid on its equator: the stresses of Timoshenko at the bottom and beside the ring") {
+  TEST_CASE("a sphere full of liquid on its equator: the stresses of Timoshenko at the bottom and next to the ring") {
     auto in = sphere();
     in.p = 0.0 * MPa;
     in.rho = 1000.0 * vessel::kg_per_m3, in.h_l = 1200.0 * mm;
@@ -63,7 +63,7 @@ TEST_SUITE("vessel.sphere") {
     CHECK(rel(solve<vessel::Sphere>(in).phi, pi) < 1e-9);
   }
 
-  TEST_CASE("above and below the ring the pull differs by the weight of the liquid") {
+  TEST_CASE("above and below the ring the meridional force differs by the weight of the liquid") {
     auto in = sphere();
     in.p = 0.0 * MPa;
     in.rho = 1000.0 * vessel::kg_per_m3, in.h_l = 1200.0 * mm;
@@ -82,14 +82,14 @@ TEST_SUITE("vessel.sphere") {
     }
   }
 
-  TEST_CASE("a liquid that is not there changes nothing") {
+  TEST_CASE("a liquid of zero height changes nothing") {
     auto in = sphere();
     const auto dry = solve<vessel::Sphere>(in);
     in.rho = 1000.0 * vessel::kg_per_m3, in.h_l = 0.0 * mm;
     CHECK(rel(solve<vessel::Sphere>(in).u_v, dry.u_v) < 1e-9);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string step = "calculator = \"vessel.sphere\"\nR = \"600 mm\"\nsigma_adm = \"140 MPa\"\np = \"1 MPa\"\n";
     CHECK(says(step + "rho = \"1000 kg/m^3\"\nh_l = \"1300 mm\"\n", "above the top of the sphere"));
     CHECK(says(step + "phi_s = \"5 deg\"\n", "must be"));
@@ -104,14 +104,14 @@ TEST_SUITE("vessel.cone") {
     return in;
   }
 
-  TEST_CASE("gas: p r / (delta cos alpha) across, half of it along, at the large end") {
+  TEST_CASE("gas: p r / (delta cos alpha) circumferentially, half of it meridionally, at the large end") {
     const auto r = solve<vessel::Cone>(cone());
     CHECK(rel(in_si(r.sigma_o), 0.5e6 * 0.8 / (0.006 * std::cos(pi / 6))) < 1e-12);
     CHECK(rel(in_si(r.sigma_M), 0.25e6 * 0.8 / (0.006 * std::cos(pi / 6))) < 1e-12);
     CHECK(rel(in_si(r.r), 0.8) < 1e-12);
   }
 
-  TEST_CASE("a full cone that hangs: largest hoop stress half-way up, largest meridional stress at three quarters") {
+  TEST_CASE("a full hanging cone: largest hoop stress half-way up, largest meridional stress at three quarters") {
     auto in = cone();
     in.p = 0.0 * MPa;
     const double h = 0.8 / std::tan(pi / 6);
@@ -131,7 +131,7 @@ TEST_SUITE("vessel.cone") {
     CHECK(rel(in_si(solve<vessel::Cone>(in).sigma_o), 0.5e6 * 0.8 / 0.006) < 2e-4);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string step = "calculator = \"vessel.cone\"\nR = \"800 mm\"\nsigma_adm = \"140 MPa\"\np = \"1 MPa\"\n";
     CHECK(says(step + "alpha = \"90 deg\"\n", "must be"));
     CHECK(says(step + "alpha = \"45 deg\"\nrho = \"1000 kg/m^3\"\nh_l = \"900 mm\"\n", "above the large end"));
@@ -146,13 +146,13 @@ TEST_SUITE("vessel.torus") {
     return in;
   }
 
-  TEST_CASE("p r / 2 delta along the ring; around the tube most at the inside") {
+  TEST_CASE("p r / 2 delta along the torus; around the tube the largest stress at the inside") {
     const auto r = solve<vessel::Torus>(torus());
     CHECK(rel(in_si(r.sigma_o), 2e6 * 0.2 / 0.01) < 1e-12);
     CHECK(rel(in_si(r.sigma_M), 2e6 * 0.2 / 0.01 * (2 - 0.2) / (1 - 0.2)) < 1e-12);
   }
 
-  TEST_CASE("a ring that becomes straight is a cylinder") {
+  TEST_CASE("a torus that becomes straight is a cylinder") {
     auto in = torus();
     in.R_0 = 1e6 * m;
     const auto r = solve<vessel::Torus>(in);
@@ -160,7 +160,7 @@ TEST_SUITE("vessel.torus") {
     CHECK(rel(in_si(r.sigma_o), 2e6 * 0.2 / 0.01) < 1e-6);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string step = "calculator = \"vessel.torus\"\nsigma_adm = \"140 MPa\"\np = \"1 MPa\"\n";
     CHECK(says(step + "R_0 = \"200 mm\"\nr = \"200 mm\"\n", "R_0 must be larger than r"));
     CHECK(says(step + "R_0 = \"210 mm\"\nr = \"200 mm\"\ndelta = \"12 mm\"\n",
@@ -191,7 +191,7 @@ TEST_SUITE("vessel.ellipsoid") {
     CHECK(rel(in_si(r.r), 1.0) < 1e-12);
   }
 
-  TEST_CASE("a ball is a sphere") {
+  TEST_CASE("an ellipsoid of equal axes is a sphere") {
     vessel::Sphere::Input ball = steel<vessel::Sphere::Input>(1.0, 10);
     ball.R = 1000.0 * mm;
     CHECK(rel(solve<vessel::Ellipsoid>(head(1)).u_v, solve<vessel::Sphere>(ball).u_v) < 1e-12);
@@ -208,7 +208,7 @@ TEST_SUITE("vessel.ellipsoid") {
     CHECK(solve<vessel::Ellipsoid>(in).w_b == 0.0);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string step = "calculator = \"vessel.ellipsoid\"\nsigma_adm = \"140 MPa\"\np = \"1 MPa\"\n";
     CHECK(says(step + "a = \"1 m\"\nb = \"0.1 m\"\n", "1/5 to 5"));
   }

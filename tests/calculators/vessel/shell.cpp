@@ -33,7 +33,7 @@ vessel::Shell::Result shell(const vessel::Shell::Input& in) { return solve<vesse
 }  // namespace
 
 TEST_SUITE("vessel.shell") {
-  TEST_CASE("points on a circle give the sphere exactly, bottom up and top down") {
+  TEST_CASE("points on a circle give the sphere exactly, from bottom to top and from top to bottom") {
     for (const double sign : {1.0, -1.0}) {
       for (const auto& a : shell(bowl(9, sign)).along) {
         CHECK(rel(in_si(a.rho_o), 1.0) < 1e-9);
@@ -99,7 +99,7 @@ TEST_SUITE("vessel.shell") {
     CHECK(shell(bowl(9, 1.0)).w_b == 0.0);
   }
 
-  TEST_CASE("a hanging cone of points bears its liquid as the cone does") {
+  TEST_CASE("a hanging cone of points carries its liquid like the cone") {
     auto in = along(41, [](double t) { return vessel::Shell::Point{t * m, t * m}; });
     in.points[0].r = 1e-6 * m;
     in.p = 0.0 * MPa;
@@ -121,7 +121,7 @@ TEST_SUITE("vessel.shell") {
     }
   }
 
-  TEST_CASE("the radius that is meant moves the wall along its normal") {
+  TEST_CASE("the radius that is given moves the wall along its normal") {
     auto in = bowl(13, 1.0);
     in.measured = vessel::Measured::inner;
     CHECK(rel(in_si(shell(in).along[4].rho_o), 1.005) < 1e-6);
@@ -130,7 +130,7 @@ TEST_SUITE("vessel.shell") {
     CHECK(rel(in_si(shell(in).along[4].rho_o), 0.995) < 1e-6);
   }
 
-  TEST_CASE("what a user gets wrong is said") {
+  TEST_CASE("wrong input is reported") {
     const std::string step = "calculator = \"vessel.shell\"\nsigma_adm = \"140 MPa\"\np = \"1 MPa\"\npoints = ";
     CHECK(says(step + "[[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"]]\n", "at least three points"));
     CHECK(says(step + "[[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"], [\"1 mm\", \"1 mm\"]]\n",

@@ -73,7 +73,7 @@ TEST_SUITE("vessel.thick") {
     CHECK(in_si(thick(in).sigma_z) == 0.0);
   }
 
-  TEST_CASE("the least thickness just reaches the allowable stress, whatever the pressures, ends and hypothesis") {
+  TEST_CASE("the minimum thickness just reaches the allowable stress, for all pressures, ends and failure theories") {
     for (const auto& [p, p_e] : {std::pair{40.0, 0.0}, std::pair{40.0, 12.0}, std::pair{3.0, 40.0}}) {
       for (const Ends ends : {Ends::closed, Ends::open, Ends::restrained}) {
         for (const Hypothesis hypothesis : {Hypothesis::tresca, Hypothesis::mises}) {
@@ -123,7 +123,7 @@ TEST_SUITE("vessel.thick") {
     CHECK(!is_set(thick(in).p_pl));
   }
 
-  TEST_CASE("what it refuses") {
+  TEST_CASE("wrong input is refused") {
     const std::string step = "calculator = \"vessel.thick\"\nR = \"30 mm\"\nsigma_adm = \"100 MPa\"\n";
     CHECK(says(step + "p = \"0 MPa\"", "give an internal pressure p or an external pressure p_e"));
     CHECK(says(step + "p = \"9 MPa\"\nhypothesis = \"membrane\"", "a thick wall needs a radial stress"));

@@ -66,7 +66,7 @@ TEST_SUITE("vessel.thick_sphere") {
     CHECK(!is_set(sphere(in).sigma_rr));
   }
 
-  TEST_CASE("the least thickness just reaches the allowable stress, whatever pressures, seams and hypothesis") {
+  TEST_CASE("the minimum thickness just reaches the allowable stress, for all pressures, seams and failure theories") {
     for (const auto& [p, p_e] : {std::pair{120.0, 0.0}, std::pair{120.0, 40.0}, std::pair{3.0, 60.0}}) {
       for (const Hypothesis hypothesis : {Hypothesis::tresca, Hypothesis::mises}) {
         auto in = ball(p, p_e);
@@ -98,7 +98,7 @@ TEST_SUITE("vessel.thick_sphere") {
     CHECK(rel(in_si(a.sigma_v), in_si(b.sigma_L)) < 1e-12);
   }
 
-  TEST_CASE("what it refuses") {
+  TEST_CASE("wrong input is refused") {
     const std::string step = "calculator = \"vessel.thick_sphere\"\nR = \"30 mm\"\nsigma_adm = \"100 MPa\"\n";
     CHECK(says(step + "p = \"0 MPa\"", "give an internal pressure p or an external pressure p_e"));
     CHECK(says(step + "p = \"9 MPa\"\nhypothesis = \"membrane\"", "a thick wall needs a radial stress"));

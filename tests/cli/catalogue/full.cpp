@@ -51,7 +51,7 @@ TEST_SUITE("cli describe in full") {
     }
   }
 
-  TEST_CASE("the keys that every step has are told beside its inputs") {
+  TEST_CASE("the keys that every step has are described with its inputs") {
     const std::string column = described("column.buckling").out;
     for (const char* key : {"calculator", "material", "section", "title, note", "display", "accept"})
       CHECK(contains(column, "\n  " + std::string(key) + " "));
@@ -60,7 +60,7 @@ TEST_SUITE("cli describe in full") {
     CHECK(contains(described("mechanism.planar").out, "\n  template "));
   }
 
-  TEST_CASE("an element alone is told with its calculators, and behind it a name makes an id") {
+  TEST_CASE("an element alone is described with its calculators, and a name after it makes an id") {
     const Ran shaft = loadpath_with({"describe", "shaft"});
     CHECK(shaft.code == 2);
     CHECK(contains(shaft.error,
@@ -69,14 +69,14 @@ TEST_SUITE("cli describe in full") {
     CHECK(loadpath_with({"describe", "shaft", "torsion"}).out == loadpath_with({"describe", "shaft.torsion"}).out);
   }
 
-  TEST_CASE("a count that must be given, or may be left out, has no default") {
+  TEST_CASE("a count that is required, or may be left out, has no default") {
     const std::string shown = described("gear.pair").out;
     CHECK(std::regex_search(shown, std::regex("\n  z_1 +integer +required ")));
     CHECK(std::regex_search(shown, std::regex("\n  z_2 +integer +optional ")));
     CHECK(contains(shown, "\"?\""));  // of T_1, which may be as large as passes
   }
 
-  TEST_CASE("results whose paths come from names are described by patterns with unit and meaning") {
+  TEST_CASE("results with paths from names are described by patterns with unit and meaning") {
     const std::string shown = described("mechanism.planar").out;
     CHECK(contains(shown, "Results, NAME as in the project file\n"));
     CHECK(contains(shown, " N        magnitude of the joint's force\n"));
@@ -101,7 +101,7 @@ TEST_SUITE("cli describe in full") {
     }
   }
 
-  TEST_CASE("a calculator lists its templates, and each is described with what it makes and an example that runs") {
+  TEST_CASE("a calculator lists its templates, and each is described with its mechanism and an example that runs") {
     const std::string planar = described("mechanism.planar").out;
     CHECK(contains(planar, "\n  slider_crank          Slider-crank, central or offset"));
     CHECK(contains(planar, "`loadpath describe mechanism.planar.NAME` shows one\n"));
@@ -118,7 +118,7 @@ TEST_SUITE("cli describe in full") {
           "'mechanism.planar.slider_crank'?\n");
   }
 
-  TEST_CASE("a calculator that does not exist is told with the nearest one") {
+  TEST_CASE("a calculator that does not exist is reported with the nearest one") {
     const Ran o = loadpath_with({"describe", "shaft.torsoin"});
     CHECK(o.code == 2);
     CHECK(o.error == "loadpath: unknown calculator 'shaft.torsoin'\n  = help: did you mean 'shaft.torsion'?\n");

@@ -42,7 +42,7 @@ TEST_SUITE("cli list") {
     }
   }
 
-  TEST_CASE("of an element its calculators with their titles") {
+  TEST_CASE("the calculators of an element with their titles") {
     const std::string shaft = loadpath_with({"list", "shaft"}).out;
     CHECK(shaft.starts_with("shaft.torsion "));
     CHECK_FALSE(contains(shaft, "gear.pair"));
@@ -51,7 +51,7 @@ TEST_SUITE("cli list") {
     }
   }
 
-  TEST_CASE("a word of the field finds its calculator first, in English, German and Russian") {
+  TEST_CASE("a technical term finds its calculator first, in English, German and Russian") {
     const std::vector<std::pair<const char*, const char*>> words{{"buckling", "column.buckling"},
                                                                  {"Knickung", "column.buckling"},
 
@@ -104,7 +104,7 @@ TEST_SUITE("cli list") {
       CHECK(contains(gearbox, std::string("\n") + part + " "));
   }
 
-  TEST_CASE("words for the work on a subject do not narrow a search") {
+  TEST_CASE("words for the kind of work do not narrow a search") {
     const Desk desk;
     CHECK(desk.run({"list", "gearbox design"}).out == desk.run({"list", "gearbox"}).out);
     CHECK(first_of(desk.run({"list", "shaft design"}).out) == "shaft.design");
@@ -116,7 +116,7 @@ TEST_SUITE("cli list") {
     CHECK(loadpath_with({"list", "press", "fit"}).code == 0);
   }
 
-  TEST_CASE("what is not included is said, with the nearest calculators") {
+  TEST_CASE("a subject that is not included is reported, with the nearest calculators") {
     const Desk desk;
     for (const std::string word : {"bolt", "Schraube", "hypoid gear", "spring", "пружина", "weld"}) {
       CAPTURE(word);
@@ -127,7 +127,7 @@ TEST_SUITE("cli list") {
     }
   }
 
-  TEST_CASE("a word that finds nothing is told with the nearest one") {
+  TEST_CASE("a word that finds nothing is reported with the nearest one") {
     const Ran o = loadpath_with({"list", "bucling"});
     CHECK(o.code == 2);
     CHECK(o.error == "loadpath: no calculator matches 'bucling'\n  = help: did you mean 'buckling'?\n");

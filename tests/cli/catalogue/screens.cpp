@@ -54,7 +54,7 @@ TEST_SUITE("cli describe" * by_case) {
     }
   }
 
-  TEST_CASE("what is required, sized, usual, assessed here and elsewhere stands on the screen") {
+  TEST_CASE("the screen shows what is required, sized, usual, assessed here and elsewhere") {
     const std::string torsion = loadpath_with({"describe", "shaft.torsion"}).out;
     CHECK(contains(torsion, "\nSized      d "));
     CHECK(contains(torsion, "\"?\" or omitted: from R40"));
@@ -71,7 +71,7 @@ TEST_SUITE("cli describe" * by_case) {
     CHECK(loadpath_with({"describe", "shaft", "torsion"}).out == torsion);
   }
 
-  TEST_CASE("--toml prints the example alone, and it runs, of every calculator and template") {
+  TEST_CASE("--toml prints the example alone, and it runs, for every calculator and template") {
     const Desk desk;
     Share share(6);
     for (const Calculator* calculator : calculators()) {
@@ -89,7 +89,7 @@ TEST_SUITE("cli describe" * by_case) {
     CHECK(is_verdict(desk.shell("loadpath describe shaft.torsion --toml > x.toml && loadpath run x.toml").code));
   }
 
-  TEST_CASE("the command of the example does what the file does") {
+  TEST_CASE("the command of the example gives the same as the file") {
     const Desk desk;
     std::size_t commands = 0;
     Share share(6);
@@ -130,7 +130,7 @@ TEST_SUITE("cli describe" * by_case) {
     }
   }
 
-  TEST_CASE("an input has unit, bounds, usual range, what fills it, what uses it and an example") {
+  TEST_CASE("an input has unit, bounds, usual range, sources, users and an example") {
     const std::string twist = loadpath_with({"describe", "shaft.torsion", "theta_adm"}).out;
     CHECK(contains(twist, "  unit       deg/m\n"));
     CHECK(contains(twist, "  bounds     > 0 deg/m\n"));
@@ -147,7 +147,7 @@ TEST_SUITE("cli describe" * by_case) {
     CHECK(contains(loadpath_with({"describe", "shaft.torsion", "material"}).out, "  fills  "));
   }
 
-  TEST_CASE("a result says how another step takes it, a check by which number it passes") {
+  TEST_CASE("a result is described with how another step takes it, a check with the number by which it passes") {
     CHECK(contains(loadpath_with({"describe", "shaft.torsion", "phi"}).out, "KEY = \"=STEP.phi\" in another step\n"));
     CHECK(contains(loadpath_with({"describe", "shaft.torsion", "segments.tau"}).out, "\"=STEP.segments[1].tau\""));
     const std::string check = loadpath_with({"describe", "shaft.torsion", "u_theta"}).out;
@@ -157,21 +157,21 @@ TEST_SUITE("cli describe" * by_case) {
     CHECK(contains(loadpath_with({"describe", "mechanism.planar", "e"}).out, "slider_crank"));
   }
 
-  TEST_CASE("a row and a failure mode of one name are both described") {
+  TEST_CASE("a row and a failure mode of the same name are both described") {
     const std::string key = loadpath_with({"describe", "shaft.key", "key"}).out;
     CHECK(contains(key, "row of a table"));
     CHECK(contains(key, "key = \"?\" finds the first row that passes"));
     CHECK(contains(key, "failure mode key"));
   }
 
-  TEST_CASE("a template behind its calculator, and a field of a list with the list") {
+  TEST_CASE("a template after its calculator, and a field of a list with the list") {
     CHECK(loadpath_with({"describe", "mechanism.planar", "slider_crank"}).out ==
           loadpath_with({"describe", "mechanism.planar.slider_crank"}).out);
     CHECK(loadpath_with({"describe", "shaft.design", "way"}).error.find("did you mean 'seats.way'?") !=
           std::string::npos);
   }
 
-  TEST_CASE("a name that is none is told with the near ones and their meanings") {
+  TEST_CASE("an unknown name is reported with the similar ones and their meanings") {
     const Ran near = loadpath_with({"describe", "shaft.torsion", "thetaadm"});
     CHECK(near.code == 2);
     CHECK(near.out.empty());

@@ -40,7 +40,7 @@ std::string vessel(const std::string& shell, const std::string& head, bool head_
 }  // namespace
 
 TEST_SUITE("found bodies") {
-  TEST_CASE("all steps of a body transmit one torque, or say why not") {
+  TEST_CASE("all steps of a body transmit one torque, or state why not") {
     const std::string T = "T = \"300 N*m\"", less = "T = \"3 N*m\"";
     CHECK(state_of(crankshaft(T, T), "crankshaft", "yield") == "pass");
     CHECK(state_of(crankshaft(T, T), "crank_end", "yield") == "pass");
@@ -51,7 +51,7 @@ TEST_SUITE("found bodies") {
     CHECK(state_of(crankshaft(T, less + "\nbecause.T = \"behind the eccentric\""), "crank_end", "yield") == "pass");
   }
 
-  TEST_CASE("the torque of a body is compared with its factor, also where it is that of a power") {
+  TEST_CASE("the torque of a body is compared with its factor, also if it is that of a power") {
     const std::string of_power = "P = \"31.41593 kW\"\nn = \"1000 rpm\"";  // 300 N m
     CHECK(state_of(crankshaft("T = \"300 N*m\"", of_power), "crank_end", "yield") == "pass");
     CHECK(state_of(crankshaft("T = \"300 N*m\"\nK_A = 1.5", "T = \"450 N*m\""), "crank_end", "yield") == "pass");
@@ -66,7 +66,7 @@ TEST_SUITE("found bodies") {
     CHECK(first_error_of(crankshaft(T + "d_bore = \"20 mm\"", T + "d_bore = \"20 mm\"")).empty());
   }
 
-  TEST_CASE("a bar has one length, one compression and one pair of ends") {
+  TEST_CASE("a bar has one length, one compression and one set of end conditions") {
     const std::string same = pinned + "\nP = \"20 kN\"" + steel;
     CHECK(state_of(arm(pinned, same), "arm2", "buckling") == "pass");
     const std::string shorter = "ends = \"pinned_pinned\"\nl = \"100 mm\"\nP = \"20 kN\"" + steel;

@@ -45,18 +45,18 @@ const std::string right_mate = "load = \"=intermediate.bearings.right\", Y";
 }  // namespace
 
 TEST_SUITE("found gearbox") {
-  TEST_CASE("a hand that turns the axial force around overloads a tapered roller bearing") {
+  TEST_CASE("a hand that reverses the axial force overloads a tapered roller bearing") {
     CHECK(state("stage_2", "hand = \"right\"", "hand = \"left\"", "intermediate_right", "fatigue") == "fail");
     CHECK(state("stage_1", "hand = \"left\"", "hand = \"right\"", "intermediate_left", "fatigue") == "fail");
   }
 
-  TEST_CASE("one bearing of a shaft locates it: neither two nor none") {
+  TEST_CASE("exactly one bearing locates a shaft: neither two nor none") {
     refused("input", "x = \"90 mm\",", "x = \"90 mm\", holds = \"both\",", "only one bearing can be the locating");
     refused("input", ", holds = \"both\"", "", "exactly one bearing must take axial forces");
     refused("output", "x = \"14 mm\", holds = \"both\"", "x = \"14 mm\"", "exactly one bearing must take axial forces");
   }
 
-  TEST_CASE("a bearing that cannot carry the thrust, or no radial load") {
+  TEST_CASE("a bearing that cannot carry the thrust, or cannot carry a radial load") {
     CHECK(state("input_right", "\"6206\"", "\"NU 206 ECP\"", "input_right", "axial") == "fail");
     CHECK(state("output_right", "\"6212\"", "\"51112\"", "output_right", "radial") == "fail");
     CHECK(state("intermediate_left",
@@ -72,7 +72,7 @@ TEST_SUITE("found gearbox") {
           "fail");
   }
 
-  TEST_CASE("the mate of a pair is on the same shaft") {
+  TEST_CASE("the opposed bearing of a pair is on the same shaft") {
     refused("intermediate_left", right_mate, "load = \"=output.bearings.right\", Y", "at the speed of their shaft");
   }
 
@@ -117,7 +117,7 @@ TEST_SUITE("found gearbox") {
                 "'input_left' includes them: give nu and e_C"));
   }
 
-  TEST_CASE("a shoulder that is no notch is named, though a diameter is searched for") {
+  TEST_CASE("a shoulder that is not given as a notch is named, though a diameter is searched for") {
     refused("output", "  { name = \"right_shoulder\", x = \"191 mm\", r = \"1.4 mm\", h = \"4.5 mm\" },", "",
             "at 191 mm the diameter changes from 60 mm to 70 mm without a notch");
   }

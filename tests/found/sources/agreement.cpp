@@ -128,7 +128,7 @@ TEST_SUITE("found disagreements") {
     CHECK(shaft("R_z = \"63 um\"\nfinish = \"ground\"") == "not-judged");
   }
 
-  TEST_CASE("the order of the teeth is that of a gear on the shaft") {
+  TEST_CASE("the order of the tooth mesh is that of a gear on the shaft") {
     const auto shaft = [](const std::string& h) {
       const std::string orders = "orders = [{ name = \"teeth\", h = " + h + " }]";
       return how(in_place_of(example("gearbox-shaft"), "orders = [{ name = \"teeth\", h = \"=gears.z_1\" }]", orders),
@@ -165,7 +165,7 @@ TEST_SUITE("found disagreements") {
     CHECK(shaft("{ name = \"blades\", h = 20 }, { name = \"mesh\", h = 2 }") == "pass");
   }
 
-  TEST_CASE("a gear on a shaft weighs and turns as its size allows") {
+  TEST_CASE("a gear on a shaft has a mass and inertia that fit its size") {
     const auto shaft = [](const std::string& mass, const std::string& I_p) {
       const std::string was = "mass = \"8 kg\", J = \"0.035 kg*m^2\", I_p = \"0.035 kg*m^2\"";
       return how(
@@ -196,7 +196,7 @@ TEST_SUITE("found disagreements") {
     CHECK(mode_of(fan("=w.J", "0 mm", "785 kg/m^3"), "fan", "stall") == "not-judged");
   }
 
-  TEST_CASE("an ellipsoid or a hemisphere has the radius of a shell of its pressure, typed as it may be") {
+  TEST_CASE("an ellipsoid or a hemisphere has the radius of a shell of its pressure, however it is typed") {
     const auto head = [](const std::string& lines) {
       return how(
           "[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nmeasured = \"inner\"\n"
@@ -224,7 +224,7 @@ TEST_SUITE("found disagreements") {
     CHECK(rating(iso + "\"22000 mm^2/s\"") == "not-judged");
   }
 
-  TEST_CASE("a column is as long as it buckles first, not as in a higher mode") {
+  TEST_CASE("the length of a column is for its first buckling mode, not a higher one") {
     const auto rod = [](const std::string& lines) {
       return how(
           "[el]\ncalculator = \"column.effective_length\"\nl = \"2.5 m\"\nend_1 = \"pinned\"\nend_2 = "
@@ -248,7 +248,7 @@ TEST_SUITE("found disagreements") {
     CHECK(how(in_place_of(link, "h = \"=web.h\"", "h = \"40 mm\""), "web_life", "fatigue") == "pass");
   }
 
-  TEST_CASE("a pin turns at the speed of its link, not at the least of it") {
+  TEST_CASE("a pin turns at the speed of its link, not at the minimum of it") {
     const std::string link = example("press-link"), n = "n = \"=press.links.lower.omega\"";
     CHECK(how(link, "pin", "bending") == "pass");
     CHECK(how(in_place_of(link, n, "n = \"=min(press.links.lower.omega)\""), "pin", "bending") == "not-judged");
@@ -256,7 +256,7 @@ TEST_SUITE("found disagreements") {
     CHECK(how(in_place_of(link, n, "n = \"=peak(press.links.lower.omega)\""), "pin", "bending") == "pass");
   }
 
-  TEST_CASE("a flywheel on a shaft weighs what its rim does") {
+  TEST_CASE("a flywheel on a shaft has the mass of its rim") {
     const std::string press = example("press");
     CHECK(how(press, "shaft", "yield") == "pass");
     CHECK(how(in_place_of(press, "mass = \"=flywheel.m_rim\"", "mass = \"1 kg\""), "shaft", "yield") == "not-judged");
@@ -296,7 +296,7 @@ TEST_SUITE("found values stated only") {
     CHECK(shell("0.05 MPa") == "pass");
   }
 
-  TEST_CASE("a vacuum of [values] that no step assesses a wall for") {
+  TEST_CASE("a vacuum of [values] for which no step assesses a wall") {
     const auto shell = [](const std::string& values) {
       return how("[values]\n" + values +
                      "\n\n[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nsigma_adm = \"120 "

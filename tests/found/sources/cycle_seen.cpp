@@ -39,7 +39,7 @@ std::string rod_at(const std::string& speed, const std::string& mass = "") {
 }  // namespace
 
 TEST_SUITE("found cycle seen") {
-  TEST_CASE("given crank angles include the largest share of each load") {
+  TEST_CASE("given crank angles include the largest factor of each load") {
     const std::string missing = press_with("speed = \"60 rpm\", at = [\"0 deg\", \"5 deg\", \"20 deg\"]", peak_at_90);
     CHECK(mode_of(solved_as_found(missing), "press", "courses") == "not-covered");
     const std::string seen = press_with("speed = \"60 rpm\", at = [\"0 deg\", \"90 deg\", \"200 deg\"]", peak_at_90);
@@ -111,7 +111,7 @@ TEST_SUITE("found cycle seen") {
     CHECK(mode_of(solved_as_found(part), "pin", "bending") == "not-judged");
   }
 
-  TEST_CASE("a pin is as thick as the mechanism has it for its friction") {
+  TEST_CASE("a pin has the diameter that the mechanism uses for its friction") {
     const std::string rubbing = press_with(turning) + "[press.joints.B]\nmu = 0.1\npin_radius = \"8 mm\"\n";
     const std::string lines = "loading = \"alternating\"\nn = \"=press.joints.B.omega\"\n";
     CHECK(first_error_of(rubbing + pin_with(lines)).find("d = 20 mm contradicts 'press.joints.B.d_pin'") == 0);

@@ -96,14 +96,14 @@ TEST_SUITE("found factors elsewhere") {
     CHECK(with("1 kW") == "not-judged");  // 6.6 N m, and the motor has 90 N m
   }
 
-  TEST_CASE("a motor that starts a shaft beyond its application factor wants a peak factor") {
+  TEST_CASE("a motor that starts a shaft beyond its application factor needs a peak factor") {
     CHECK(mode_of(solved_as_found(started("450 N*m")), "run", "stall") == "not-judged");
     CHECK(mode_of(solved_as_found(started("180 N*m")), "run", "stall") == "pass");
     CHECK(mode_of(solved_as_found(started("450 N*m", "because.motor = \"rotor takes two thirds\"\n")), "run",
                   "stall") == "pass");
   }
 
-  TEST_CASE("a motor that starts a shaft without an application factor wants the peak torque of its key") {
+  TEST_CASE("a motor that starts a shaft without an application factor needs the peak torque of its key") {
     const auto key = [](const std::string& T_max) {
       return run_with({.n_2 = "=train.n_1"}) + "[key]\ncalculator = \"shaft.key\"\nT = \"=train.T_1\"\n" + T_max +
              "torque = \"one_way\"\nd = \"25 mm\"\nkey = \"8x7\"\nl = \"40 mm\"\nl_n = \"45 mm\"\n"
@@ -150,7 +150,7 @@ TEST_SUITE("found factors elsewhere") {
     CHECK(pressed("375 N*m") == "pass");  // with the factor
   }
 
-  TEST_CASE("a torque divided by its factor, in a step that applies this factor, is the whole torque") {
+  TEST_CASE("a torque divided by its factor, in a step that applies this factor, is the full torque") {
     const auto key = [](const std::string& T, const std::string& K_A) {
       const std::string text =
           "[values]\nK_A = 1.25\n\n[wheels]\ncalculator = \"drive.friction_wheels\"\nP = \"1.5 kW\"\nK_A = "

@@ -21,7 +21,7 @@ TEST_SUITE("found friction wheels") {
     CHECK(contact(bevel + "b = \"400 mm\"\nbecause.b = \"two rims\"") == "pass");
   }
 
-  TEST_CASE("cylinders are no wider than the smaller one is thick") {
+  TEST_CASE("the width of cylinders is at most the diameter of the smaller one") {
     CHECK(contact("b = \"2000 mm\"") == "not-judged");
     CHECK(contact("b = \"200 mm\"") == "pass");
   }

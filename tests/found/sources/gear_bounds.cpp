@@ -43,7 +43,7 @@ TEST_SUITE("found gear bounds") {
     CHECK(mode_with("gear.bevel", "b = \"5 mm\"", "width") == "fail");
   }
 
-  TEST_CASE("an overhung pinion between bearings, and a shaft with a higher application factor") {
+  TEST_CASE("an overhung pinion entered as between bearings, and a shaft with a higher application factor") {
     CHECK(pitting("", running, shaft_with("")) == "pass");
     CHECK(pitting("", "mounting = \"both_straddled\"\nL_h = \"1000 h\"\n", shaft_with("")) == "not-judged");
     CHECK(pitting("", running, shaft_with("K_A = 1.75\n")) == "not-judged");
@@ -68,7 +68,7 @@ TEST_SUITE("found gear bounds") {
     CHECK(wear("130 degC") == "not-judged");
   }
 
-  TEST_CASE("a lantern of many pins that a few teeth drive, and thin pins") {
+  TEST_CASE("a lantern of many pins driven by a few teeth, and thin pins") {
     const auto contact = [](const std::string& lines) {
       return mode_of(solved_as_found("[l]\ncalculator = \"gear.cycloidal\"\npinion = \"pins\"\nm = \"2 mm\"\n" + lines),
                      "l", "contact");
@@ -100,7 +100,7 @@ TEST_SUITE("found gear bounds") {
     CHECK(mode_with("gear.rating", "", "protuberance") == "none");
   }
 
-  TEST_CASE("few leaves must lead, and a torque needs the strength of the teeth") {
+  TEST_CASE("few leaves must drive, and a torque needs the strength of the teeth") {
     const auto leaves = [](const std::string& z_1) {
       return mode_with("gear.cycloidal", "pinion = \"leaves\"\nd_p = \nz_2 = 60\nz_1 = " + z_1, "lead");
     };

@@ -29,7 +29,7 @@ TEST_SUITE("found loads left out") {
     CHECK(state(shaft_beside("T_of_another_machine = \"90 kN*m\"")) == "pass");
   }
 
-  TEST_CASE("a factor of [values] that no step has by its name") {
+  TEST_CASE("a factor of [values] under a name that no step has") {
     const auto state = [](const std::string& text) { return mode_of(solved_as_found(text), "shaft", "yield"); };
     CHECK(state(shaft_beside("K_A = 1.4")) == "not-judged");
     CHECK(state(shaft_beside("K_A = 1.4", "K_A = 1.5\n")) == "pass");
@@ -61,7 +61,7 @@ TEST_SUITE("found loads left out") {
     CHECK(state("S_min = 15", "because.S_min = \"of the hoist only\"\n") == "pass");
   }
 
-  TEST_CASE("a strength of [values] is no load of a stress") {
+  TEST_CASE("a strength of [values] is not the load of a stress") {
     const std::string cycle =
         "[values]\nR_m_of_the_bolts = \"800 MPa\"\n\n[life]\ncalculator = \"fatigue.cycle\"\n"
         "sigma_max = \"100 MPa\"\nsigma_min = \"-100 MPa\"\nS_D = 1.5\nS_F = 1.5\nmaterial = "

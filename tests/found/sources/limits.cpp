@@ -54,7 +54,7 @@ TEST_SUITE("found limits elsewhere") {
     CHECK(fatigue_of({.material = "42CrMo4", .more = "because.sigma_D = \"tested, sheet 4\"\n"}) == "pass");
   }
 
-  TEST_CASE("the notch of a bore has its radius, and a factor of tension") {
+  TEST_CASE("the notch of a bore has its radius, and a factor for tension") {
     CHECK(mode_of(solved_as_found(lug_with("loading = \"tension\"\nr_n = \"0.1 mm\"\n")), "limit", "typed_values") ==
           "not-judged");
     CHECK(mode_of(solved_as_found(lug_with("loading = \"tension\"\nr_n = \"15 mm\"\n")), "limit", "typed_values") ==
@@ -72,7 +72,7 @@ TEST_SUITE("found limits elsewhere") {
                   "yield") == "pass");
   }
 
-  TEST_CASE("the fatigue of a link is that of its whole stress") {
+  TEST_CASE("the fatigue of a link is assessed with its full stress") {
     const auto life = [](const std::string& sigma, const std::string& more = "") {
       return mode_of(solved_as_found(arm_with("12 kN", "2.7 kN*m") +
                                      "[life]\ncalculator = \"fatigue.life\"\nsigma_max = \"" + sigma +

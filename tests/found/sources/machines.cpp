@@ -61,7 +61,7 @@ TEST_SUITE("found machines") {
     CHECK(state(part + shaft("because.T = \"it swings so far only\"\n"), "shaft", "yield") == "pass");
   }
 
-  TEST_CASE("a typed force beside values of a mechanism is not below those of its joints") {
+  TEST_CASE("a typed force next to values of a mechanism is not below those of its joints") {
     const std::string machine = press("press", "8 kN");
     CHECK(state(machine + pin("load = \"=press.joints.B\"\n"), "pin", "bending") == "pass");
     CHECK(state(machine + pin("F = \"1 kN\"\n"), "pin", "bending") == "not-judged");
@@ -69,7 +69,7 @@ TEST_SUITE("found machines") {
     CHECK(state(machine + pin("F = \"1 kN\"\n", "because.F = \"of the oil pump\"\n"), "pin", "bending") == "pass");
   }
 
-  TEST_CASE("the force of a joint transverse to a crank is the torque over its length, to a rod without mass nothing") {
+  TEST_CASE("the force of a joint transverse to a crank is the torque over its length, to a massless rod zero") {
     const auto project = solved_as_found(press("press", "8 kN"));
     const auto most = [&](const char* path) {
       double largest = 0.0;
@@ -142,7 +142,7 @@ TEST_SUITE("found machines") {
     CHECK(state(press("idle", "0.8 kN") + taken, "pin", "bending") == "pass");
   }
 
-  TEST_CASE("a limit that tests give and nothing takes") {
+  TEST_CASE("a limit from tests that no step takes as it is") {
     const std::string survival =
         "[s]\ncalculator = \"fatigue.survival\"\nsigma_0 = \"288 MPa\"\nN_0 = 1e6\nT_S = 1.25\n"
         "k = 5\nP = 0.975\n\n";
@@ -151,7 +151,7 @@ TEST_SUITE("found machines") {
     CHECK(state(survival + life("300 MPa"), "life", "fatigue") == "not-judged");
   }
 
-  TEST_CASE("an effective length factor that nothing takes") {
+  TEST_CASE("an effective length factor that no step takes") {
     const auto column = [](const std::string& ends) {
       return "[k]\ncalculator = \"column.effective_length\"\nl = \"4 m\"\nE = \"210 GPa\"\nI = \"2003 cm^4\"\n"
              "end_1 = \"elastic\"\nc_1 = \"40 kN*m/rad\"\nend_2 = \"pinned\"\n\n[col]\ncalculator = "
@@ -166,7 +166,7 @@ TEST_SUITE("found machines") {
     CHECK(state(column("beta_y = \"=k.beta\"\nbeta_z = \"=k.beta\"\n"), "col", "buckling") == "pass");
   }
 
-  TEST_CASE("the order of the tables in a file does not decide") {
+  TEST_CASE("the order of the tables in a file does not matter") {
     const std::string survival =
         "[s]\ncalculator = \"fatigue.survival\"\nsigma_0 = \"288 MPa\"\nN_0 = 1e6\nT_S = 1.25\n"
         "k = 5\nP = 0.975\n\n";
@@ -185,13 +185,13 @@ TEST_SUITE("found machines") {
     CHECK(account::conclude(project::modes(project)).headline == account::Headline::incomplete);
   }
 
-  TEST_CASE("a shaft has the peak factor of the start that its key is calculated for") {
+  TEST_CASE("a shaft has the peak factor of the start for which its key is calculated") {
     const std::string gearbox = text_of(LOADPATH_ROOT "/examples/gearbox-shaft/project.toml");
     CHECK(state(gearbox, "shaft", "yield") == "pass");
     CHECK(state(replaced(gearbox, "k_max = 2 ", "k_max = 1 "), "shaft", "yield") == "not-judged");
   }
 
-  TEST_CASE("a disc turns no faster than it is calculated for") {
+  TEST_CASE("a disc turns no faster than calculated") {
     const auto run = [](const std::string& n) {
       return "[disc]\ncalculator = \"machine.disc\"\nn = \"" + n +
              "\"\nD = \"500 mm\"\nd_i = \"100 mm\"\nb = \"40 mm\"\nrho = \"7850 kg/m^3\"\nnu = 0.3\nE = \"210 "
@@ -206,7 +206,7 @@ TEST_SUITE("found machines") {
     CHECK(headline("3000 rpm") == account::Headline::incomplete);
   }
 
-  TEST_CASE("a flywheel is not driven faster by its motor than it is calculated for") {
+  TEST_CASE("a flywheel is not driven faster by its motor than calculated") {
     const auto start = [](const std::string& i, const std::string& lines = "") {
       const std::string text =
           "[wheel]\ncalculator = \"machine.flywheel\"\nM_of_phi = \"100 N*m + 60 N*m*sin(phi)\"\nomega = \"120 "

@@ -94,7 +94,7 @@ TEST_SUITE("found values not taken") {
     CHECK(state("E = \"70 GPa\"", column, "c", "buckling") == "not-judged");
   }
 
-  TEST_CASE("the kind of a bearing that its row has") {
+  TEST_CASE("the bearing type is that of its row") {
     CHECK(state("kind = \"deep_groove_ball\"", bearing, "b", "fatigue") == "pass");
   }
 
@@ -133,7 +133,7 @@ TEST_SUITE("found values not taken") {
     CHECK(state("wind = \"1 kN/m^2\"", column + "because.P = \"carried by the bracing\"\n", "c", "buckling") == "pass");
   }
 
-  TEST_CASE("a load that is a part of a value by a bare number") {
+  TEST_CASE("a load that is a fraction of a value by a bare number") {
     const auto shaft = [](const std::string& T, const std::string& more = "") {
       return state(
           "T = \"300 N*m\"\nshare = 0.5",
@@ -157,7 +157,7 @@ TEST_SUITE("found values not taken") {
     CHECK(bar("=0.3*values.F") == "not-judged");
   }
 
-  TEST_CASE("masses, friction and springs of a mechanism that only the values have") {
+  TEST_CASE("masses, friction and springs of a mechanism that are only in the values") {
     const auto crank = [](const std::string& values, const std::string& lines = "") {
       return state(values,
                    "[comp]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"180 "

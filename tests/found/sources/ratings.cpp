@@ -112,7 +112,7 @@ TEST_SUITE("found ratings") {
     CHECK(place_with("place = \"a\"\nl = \"90 mm\"\ns = \"40 mm\"\nd_sh = \"50 mm\"\n") == "not-judged");
   }
 
-  TEST_CASE("a segment that is sought does not hide the thicker one before it") {
+  TEST_CASE("a segment that is searched for does not hide the thicker one before it") {
     std::string shaft = shaft_with("120 mm");
     const std::string piece = R"({ l = "220 mm", d = "50 mm" })", fatigue = "S_D = 1.5\nr_T = 0\n";
     shaft.replace(shaft.find(piece), piece.size(),
@@ -122,7 +122,7 @@ TEST_SUITE("found ratings") {
     CHECK(pitting(gears + rated(here) + shaft) == "pass");
   }
 
-  TEST_CASE("teeth live as long as the bearings of their shaft, and these equally long") {
+  TEST_CASE("teeth have the required life of the bearings of their shaft, and these the same among themselves") {
     const auto with = [](const std::string& teeth, const std::string& left, const std::string& right) {
       return solved_as_found(gears + rated(midway + teeth) + shaft_with("80 mm") + bearing("left", left) +
                              bearing("right", right));

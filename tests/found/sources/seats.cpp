@@ -66,7 +66,7 @@ std::string key_with(const std::string& K_A) {
 }  // namespace
 
 TEST_SUITE("found seats") {
-  TEST_CASE("a seat is not much narrower than the gear that it takes") {
+  TEST_CASE("a seat is not much narrower than its gear") {
     CHECK(is_doubted(gears + shaft_with(taken + "b = \"30 mm\""), "the rim of 'gears.gear_1' is 45 mm wide"));
     CHECK_FALSE(is_doubted(gears + shaft_with(taken + "b = \"40 mm\""), "wide"));
   }
@@ -81,7 +81,7 @@ TEST_SUITE("found seats") {
       CHECK_MESSAGE(!is_left_out(value), value);
   }
 
-  TEST_CASE("a component of a tooth force is taken as it is") {
+  TEST_CASE("a component of a tooth force is taken unchanged") {
     const auto with = [](const std::string& F_x) {
       return gears + shaft_with(typed + "F_x = \"" + F_x + "\", F_y = \"=gears.gear_1.F_y\"");
     };
@@ -124,7 +124,7 @@ TEST_SUITE("found seats") {
     CHECK_FALSE(is_doubted(with("8 kg"), "a steel disc"));
   }
 
-  TEST_CASE("teeth that are cut into the shaft stand out of it") {
+  TEST_CASE("teeth that are cut into the shaft lie outside its surface") {
     const std::string seat = taken + "b = \"45 mm\"";
     CHECK(first_error_of(gears + shaft_with(seat, "integral = true", "60 mm")).find("lies inside the shaft") !=
           std::string::npos);  // d_f = 3 (21 - 2.5 + 0.6) = 57.3 mm

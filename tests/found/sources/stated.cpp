@@ -140,14 +140,14 @@ TEST_SUITE("found names of stated values") {
     CHECK(mode_of(solved_as_found(under("P_motor = \"1.1 kW\"", reason + second)), "v", "contact") == "pass");
   }
 
-  TEST_CASE("a torque above those of a drive, which 61 N m reach at its slow side; an energy is no torque") {
+  TEST_CASE("a torque above those of a drive, which 61 N m reach on its slow side; an energy is not a torque") {
     for (const char* const values : {"T_max = \"100 N*m\"", "T_2 = \"100 N*m\""})
       CHECK(is_held(values, wheels, "w", "contact"));
     for (const char* const values : {"T_max = \"100 J\"", "T_2 = \"100 J\"", "T_max = \"60 N*m\""})
       CHECK_FALSE(is_held(values, wheels, "w", "contact"));
   }
 
-  TEST_CASE("a value under its own name, but for a share that nothing explains") {
+  TEST_CASE("a value under its own name, except for a fraction that nothing explains") {
     const auto with_life = [](const std::string& life) {
       return "[b]\ncalculator = \"bearing.rolling\"\nbearing = \"6308\"\nF_r = \"2 kN\"\nn = \"1000 rpm\"\ns_0 = "
              "1.5\nL_h = \"" +

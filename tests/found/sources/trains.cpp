@@ -47,7 +47,7 @@ TEST_SUITE("found trains") {
     CHECK(contact(own + train("1.5 kW", "3"), "w") == "pass");
   }
 
-  TEST_CASE("a stage of a worm has about the efficiency of its mesh") {
+  TEST_CASE("a worm stage has about the efficiency of its mesh") {
     // tan(gamma) = 8/40 and mu = 0.027: by [AGMA6034] the mesh has 0.87
     const auto strength = [](const std::string& eta, const std::string& more = "") {
       return mode_of(
@@ -145,7 +145,7 @@ TEST_SUITE("found trains") {
     CHECK(strength("=w.T_2", "because.T_1 = \"at a stop\"\n") == "open");
   }
 
-  TEST_CASE("a belt behind bevel gears takes their power, or says why not") {
+  TEST_CASE("a belt behind bevel gears takes their power, or states why not") {
     const auto power = [](const std::string& P, const std::string& more = "") {
       return mode_of(
           solved_as_found(

@@ -52,7 +52,7 @@ std::string hoist_and(const std::string& run_up) {
 }  // namespace
 
 TEST_SUITE("found unlinked steps") {
-  TEST_CASE("of two mates one carries the axial force in each direction") {
+  TEST_CASE("of two opposed bearings one carries the axial force in each direction") {
     const auto state = [](const std::string& other) {
       return mode_of(solved_as_found(bearing("l", "right", "4 kN", "3 kN") + bearing("r", other, "3 kN", "4 kN")), "l",
                      "fatigue");
@@ -61,7 +61,7 @@ TEST_SUITE("found unlinked steps") {
     CHECK(state("right") == "not-judged");
   }
 
-  TEST_CASE("of two mates with an arrangement, both have the same one") {
+  TEST_CASE("two opposed bearings with an arrangement have the same one") {
     const auto arranged = [](const std::string& name, const std::string& way, const std::string& loads) {
       return "[" + name + "]\ncalculator = \"bearing.rolling\"\nbearing = \"30208\"\nF_a = \"2 kN\"\narrangement = \"" +
              way + "\"\nn = \"900 rpm\"\nL_h = \"10000 h\"\ns_0 = 2\n" + loads;
@@ -77,7 +77,7 @@ TEST_SUITE("found unlinked steps") {
     CHECK(state("face_to_face") == "not-judged");
   }
 
-  TEST_CASE("the load of the mate is the one that the mate has") {
+  TEST_CASE("the load of the opposed bearing is that of its own step") {
     const auto state = [](const std::string& of_mate) {
       return mode_of(solved_as_found(bearing("l", "right", "4 kN", "3 kN") + bearing("r", "left", "3 kN", of_mate)),
                      "r", "fatigue");
@@ -104,13 +104,13 @@ TEST_SUITE("found unlinked steps") {
     CHECK(state("7850 kg/m^3") == "pass");
   }
 
-  TEST_CASE("a fatigue limit is not typed beside the step that finds it") {
+  TEST_CASE("a fatigue limit is not typed next to the step that calculates it") {
     CHECK(mode_of(solved_as_found(limit_and_life("\"400 MPa\"")), "life", "fatigue") == "not-judged");
     CHECK(mode_of(solved_as_found(limit_and_life("\"200 MPa\"", "42CrMo4")), "life", "fatigue") == "pass");
     CHECK(mode_of(solved_as_found(limit_and_life("\"=limit.sigma_D\"")), "life", "fatigue") == "pass");
   }
 
-  TEST_CASE("a bar that is pulled has the fatigue limit in tension, not that in bending") {
+  TEST_CASE("a bar in tension has the fatigue limit in tension, not that in bending") {
     CHECK(mode_of(solved_as_found(bar_and_life("bending")), "life", "fatigue") == "not-judged");
     CHECK(mode_of(solved_as_found(bar_and_life("tension")), "life", "fatigue") == "pass");
   }

@@ -35,7 +35,7 @@ std::string doubt_of_hemisphere(const std::string& R) {
 }  // namespace
 
 TEST_SUITE("found vessels") {
-  TEST_CASE("an end whose pressure is typed beside a shell refers to it, or is of another vessel") {
+  TEST_CASE("an end whose pressure is typed next to a shell refers to it, or is of another vessel") {
     const std::string typed = "p = \"1 MPa\"\nD_i = \"1000 mm\"\nc = \"1 mm\"\n";
     CHECK(mode_of(solved_as_found(shell_and(typed)), "head", "strength") == "not-judged");
     CHECK(mode_of(solved_as_found(shell_and("shell = \"=shell.shell\"\n")), "head", "strength") == "pass");
@@ -54,7 +54,7 @@ TEST_SUITE("found vessels") {
     CHECK(mode_of(solved_as_found(with("140 MPa")), "shell", "strength") == "pass");
   }
 
-  TEST_CASE("an end with the radius of no shell is compared with the shell of the nearest radius") {
+  TEST_CASE("an end with a radius that no shell has is compared with the shell of the nearest radius") {
     CHECK(doubt_of_hemisphere("300 mm").find("'narrow'") != std::string::npos);
     CHECK(doubt_of_hemisphere("1500 mm").find("'wide'") != std::string::npos);
     CHECK(doubt_of_hemisphere("600 mm").empty());

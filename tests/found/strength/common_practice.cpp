@@ -69,7 +69,7 @@ void check(const Practice& p) {
 }  // namespace
 
 TEST_SUITE("found common practice") {
-  TEST_CASE("a strength that most parts do not reach wants a reason") {
+  TEST_CASE("a strength that most parts do not reach needs a reason") {
     const auto life = [](const std::string& P) {
       return mode_of(solved_as_found("[limit]\ncalculator = \"fatigue.survival\"\nsigma_0 = \"200 MPa\"\nT_S = 1.25\n"
                                      "k = 5\nP_0 = 0.9\nP = " +
@@ -84,7 +84,7 @@ TEST_SUITE("found common practice") {
     CHECK(life("0.95") != "not-judged");
   }
 
-  TEST_CASE("a required safety factor below common practice wants a reason") {
+  TEST_CASE("a required safety factor below common practice needs a reason") {
     for (const Practice& p : safeties()) check(p);
   }
 
@@ -92,7 +92,7 @@ TEST_SUITE("found common practice") {
     for (const Practice& p : sizes()) check(p);
   }
 
-  TEST_CASE("an allowable stress or a strength above common practice wants a reason") {
+  TEST_CASE("an allowable stress or a strength above common practice needs a reason") {
     for (const Practice& p : strengths()) check(p);
   }
 
@@ -105,11 +105,11 @@ TEST_SUITE("found common practice") {
     CHECK(first_error_of(rod + "because.n_st = \"tests\"\n").find("is not needed") != std::string::npos);
   }
 
-  TEST_CASE("a failing part fails with them too") {
+  TEST_CASE("a failing part fails with reasons, too") {
     CHECK(mode_with("column.buckling", "n_st = 1\nP = \"300 kN\"", "buckling") == "fail");
   }
 
-  TEST_CASE("an allowable stress next to the yield strength wants a reason") {
+  TEST_CASE("an allowable stress next to the yield strength needs a reason") {
     const auto state = [](const char* sigma_adm) {
       return mode_with("vessel.cylinder", std::string("material = \"P265GH\"\nsigma_adm = \"") + sigma_adm + "\"",
                        "strength");

@@ -35,7 +35,7 @@ std::string gears(const std::string& lines) {
 }  // namespace
 
 TEST_SUITE("found drives") {
-  TEST_CASE("a rating far above that of the pitch and the speed wants a reason") {
+  TEST_CASE("a rating far above that of the pitch and the speed needs a reason") {
     for (const char* id : {"plates", "rollers"}) {
       CHECK_MESSAGE(chain_mode("P_R = \"8 kW\"", id) == "not-judged", id);
       CHECK_MESSAGE(chain_mode("P_R = \"2.5 kW\"", id) == "pass", id);
@@ -44,7 +44,7 @@ TEST_SUITE("found drives") {
     }
   }
 
-  TEST_CASE("a chain without sag hangs nowhere") {
+  TEST_CASE("a long chain without a sag force needs a reason") {
     const std::string far = "P_R = \"2.5 kW\"\na = \"20 m\"\nbecause.a = \"guided\"\n";
     const auto with = [&](const std::string& K_f) {
       std::string text = chain(far + K_f);
@@ -66,7 +66,7 @@ TEST_SUITE("found drives") {
     CHECK(state("n_1 = \"900 rpm\"") == "none");
   }
 
-  TEST_CASE("gears behind an odd number of meshes turn back: as with turns = \"cw\", mirrored") {
+  TEST_CASE("gears after an odd number of meshes turn backwards: as with turns = \"cw\", mirrored") {
     for (const char* const hand : {"right", "left"}) {
       for (const char* const sense : {"cw", "ccw"}) {
         const bool is_cw = std::string(sense) == "cw";
@@ -90,7 +90,7 @@ TEST_SUITE("found drives") {
     CHECK(!ExampleStep("gear.pair", gears("n_1 = \"0 rpm\"\nT_1 = \"1 N*m\"")).fault().empty());
   }
 
-  TEST_CASE("speed and torque of a train go on into the gears of its stages") {
+  TEST_CASE("speed and torque of a train are passed on to the gears of its stages") {
     const std::string train =
         "[train]\ncalculator = \"drive.train\"\nP = \"5 kW\"\nn_1 = \"1450 rpm\"\nstages = [{ name = \"a\", kind = "
         "\"gear\", z_1 = 20, z_2 = 60 }, { name = \"b\", kind = \"gear\", z_1 = 19, z_2 = 61 }]\n";

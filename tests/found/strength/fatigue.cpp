@@ -47,7 +47,7 @@ const std::string of_lug =
 }  // namespace
 
 TEST_SUITE("found fatigue of parts") {
-  TEST_CASE("the bending stress of a shaft that turns is no mean stress") {
+  TEST_CASE("the bending stress of a rotating shaft is not a mean stress") {
     const auto combined = [](const std::string& sigma) {
       return step("fatigue.combined", strengths +
                                           "tau_D = \"120 MPa\"\ntau_m = \"=shaft.sections.gear.tau\"\n"
@@ -71,7 +71,7 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(fatigue_of(shaft("") + combined(steady)) != "not-judged");  // a shaft at rest
   }
 
-  TEST_CASE("a cycle of it is symmetric, in one step and in a record") {
+  TEST_CASE("a cycle of it is fully reversed, in one step and in a record") {
     for (const char* const id : {"fatigue.cycle", "fatigue.life"}) {
       const auto state = [&](const std::string& cycle) {
         const std::string group = std::string(id) == "fatigue.life" ? "group = \"carbon-steel\"\n" : "";
@@ -96,7 +96,7 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(is_held(fatigue_of(overhung + step("fatigue.cycle", strengths + end + "0.5"))));
   }
 
-  TEST_CASE("nor is it a constant beside stresses over time, nor the mean of a section or of blocks") {
+  TEST_CASE("nor is it a constant next to stresses over time, nor the mean of a section or of blocks") {
     const std::string over_time =
         "tau_xy = { values = [0, 10, 14, 10, 0, -10, -14, -10], unit = \"MPa\" }\n"
         "sigma_x = ";
@@ -117,7 +117,7 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(fatigue_of(shaft() + step("fatigue.history", blocks)) == "not-judged");
   }
 
-  TEST_CASE("a section is not smooth whose size or torque comes from a key") {
+  TEST_CASE("a section whose size or torque comes from a key is not smooth") {
     const std::string key =
         "[key]\ncalculator = \"shaft.key\"\nT = \"600 N*m\"\ntorque = \"one_way\"\nd = \"40 mm\"\nkey = \"12x8\"\n"
         "l = \"50 mm\"\nl_n = \"55 mm\"\nR_e_1 = \"430 MPa\"\nR_e_2 = \"900 MPa\"\nR_e_k = \"600 MPa\"\n";
@@ -135,7 +135,7 @@ TEST_SUITE("found fatigue of parts") {
     }
   }
 
-  TEST_CASE("a torque is taken by its amplitude and its middle, both of one series") {
+  TEST_CASE("a torque is taken by its amplitude and its mean, both of one series") {
     const std::string press =
         "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"50 mm\"\nl = \"200 mm\"\n"
         "crank = { speed = \"60 rpm\", positions = 36 }\n"
@@ -180,7 +180,7 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(rod("-8 kN", weight, "o") == "pass");       // and the larger one under a push
   }
 
-  TEST_CASE("an unusual value of a step that judges nothing holds back what is made of it") {
+  TEST_CASE("an unusual value in a step without verdicts prevents the pass of steps that use it") {
     const auto state = [](const std::string& q) {
       return mode_of(
           solved_as_found("[limit]\ncalculator = \"fatigue.endurance\"\nmaterial = \"C45E\"\n"
@@ -199,7 +199,7 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(state("0\nbecause.q = \"soft copper\"") == "none");
   }
 
-  TEST_CASE("a limit beside the nominal stress at a bore holds the notch of it") {
+  TEST_CASE("a limit next to the nominal stress at a bore includes its notch") {
     const auto state = [](const std::string& notch) {
       return fatigue_of(lug() + limit(notch) + step("fatigue.cycle", of_lug));
     };
@@ -219,7 +219,7 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(fatigue_of(lug() + limit("K_t = 2.2\nr_n = \"15 mm\"") + cycle + step("fatigue.life", life)) == "pass");
   }
 
-  TEST_CASE("a shaft with a shoulder is no smooth bar in torsion") {
+  TEST_CASE("a shaft with a shoulder is not a smooth bar in torsion") {
     const auto state = [](const std::string& d_2, const std::string& notch) {
       const std::string torsion =
           "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"100 MPa\"\n"
@@ -259,7 +259,7 @@ TEST_SUITE("found fatigue of parts") {
     }
   }
 
-  TEST_CASE("028: a fatigue limit in shear is bounded by 0.6 R_m over sqrt(3)") {
+  TEST_CASE("028: a fatigue limit in shear is limited to 0.6 R_m over sqrt(3)") {
     const auto state = [](const std::string& lines) {
       return fatigue_of(step("fatigue.life",
                              "sigma_max = \"100 MPa\"\nsigma_min = \"-100 MPa\"\nmaterial = \"C45E\"\n"
@@ -272,7 +272,7 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(state("sigma_D = \"440 MPa\"") == "not-judged");
   }
 
-  TEST_CASE("the mean of a staircase is no limit: one half of the bars fail below it") {
+  TEST_CASE("the mean of a staircase is not a design limit: one half of the bars fail below it") {
     const std::string stair = std::string("[stair]\n") +
                               "calculator = \"fatigue.staircase\"\ntests = [\n"
                               "[\"300 MPa\", \"failure\"], [\"290 MPa\", \"failure\"], [\"280 MPa\", \"runout\"], "
@@ -289,7 +289,7 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(first_error_of(stair + step("fatigue.cycle", cycle + "\"=stair.S_P\"")).empty());
   }
 
-  TEST_CASE("typed notch factors beside a shoulder are no less than those of it") {
+  TEST_CASE("typed notch factors next to a shoulder are not less than those of it") {
     const auto state = [](const std::string& id, const std::string& factors) {
       const std::string steel = id == "fatigue.fkm" ? "steel = \"quenched-tempered\"\n" : "";
       return fatigue_of(

@@ -60,7 +60,7 @@ std::string fit_with(const char* alpha_2) {
 }  // namespace
 
 TEST_SUITE("found properties") {
-  TEST_CASE("what no material or part has wants a reason") {
+  TEST_CASE("properties beyond those of any material or part need a reason") {
     for (const Data& d : properties()) {
       const std::string lines = d.common.empty() ? "" : d.common + "\n", of = d.calculator;
       INFO(of);
@@ -89,7 +89,7 @@ TEST_SUITE("found properties") {
     CHECK(first_error_of(row("520 MPa")).empty());
   }
 
-  TEST_CASE("torques behind a stage of poor efficiency want a reason") {
+  TEST_CASE("torques after a stage of poor efficiency need a reason") {
     const auto state = [](const char* stage) { return mode_of(solved_as_found(train_of(stage)), "t", "typed_values"); };
     CHECK(state("kind = \"belt\", i = 2, eta = 0.3") == "not-judged");
     CHECK(state("kind = \"gear\", i = 2, eta = 0.1") == "not-judged");

@@ -68,7 +68,7 @@ TEST_SUITE("found sections") {
     CHECK(refuses(strut("h = \"40 mm\"\nb = \"40 mm\"\nkind = \"rolled_I\"\nt_f = \"5 mm\""), "is solid"));
   }
 
-  TEST_CASE("the fibre of a lopsided section is no nearer than half its side") {
+  TEST_CASE("the extreme fibre of an unsymmetric section is no nearer than half its side") {
     const std::string tee =
         "P = \"10 kN\"\nmethod = \"secant\"\nn_st = 2\ngamma_M1 = \ngamma_F = \nkind = \"tee\"\nh = \"100 mm\"\n"
         "b = \"100 mm\"\nt_w = \"10 mm\"\nt_f = \"10 mm\"\nA = \"1900 mm^2\"\nI_y = \"1.8e6 mm^4\"\n"
@@ -79,7 +79,7 @@ TEST_SUITE("found sections") {
     CHECK(near("axes.y.eta") == half("axes.y.eta"));
   }
 
-  TEST_CASE("a buckling curve better than that of the table wants a reason, whatever tells the section") {
+  TEST_CASE("a buckling curve better than that of the table needs a reason, however the section is given") {
     const std::string bold = "curve_y = \"a0\"\ncurve_z = \"a0\"\n", table = "curve_y = \"c\"\ncurve_z = \"c\"\n";
     const std::string why = "because = { curve_y = \"tests\", curve_z = \"tests\" }\n";
     const std::string box = "A = \"1500 mm^2\"\nI_y = \"1e6 mm^4\"\nI_z = \"1e6 mm^4\"\n";
@@ -107,7 +107,7 @@ TEST_SUITE("found sections") {
     CHECK(!ExampleStep("column.lightest", "grade = \"S460\"").fault().empty());
   }
 
-  TEST_CASE("a factor of the effective length that is computed may be small, a typed one wants a reason") {
+  TEST_CASE("a calculated effective length factor may be small, a typed one needs a reason") {
     const std::string found =
         "[ends]\ncalculator = \"column.effective_length\"\nl = \"1 m\"\nend_1 = \"pinned\"\n"
         "end_2 = \"pinned\"\nsupports = [[\"200 mm\"], [\"400 mm\"], [\"600 mm\"], [\"800 mm\"]]\n";

@@ -54,7 +54,7 @@ TEST_SUITE("fold") {
     CHECK(state_of_limit(open_below, true, 2.1) == State::fail);
   }
 
-  TEST_CASE("of several values of a limit that farthest beyond a bound is reported, else that nearest to one") {
+  TEST_CASE("of several values of a limit the one farthest beyond a bound is reported, else the nearest to one") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto farthest = [](const Range& bounds, std::vector<double> si) { return farthest_from(bounds, si); };
     const Range between{1.0, 3.0, false, false}, from_zero{0.0, 10.0, false, false}, above{0.0, infinity, true, false};
@@ -68,7 +68,7 @@ TEST_SUITE("fold") {
     CHECK(std::isnan(farthest(between, {4.0, none, 2.0})));
   }
 
-  TEST_CASE("the worst row decides, of the worst ones the most utilised") {
+  TEST_CASE("the worst row governs, of several worst the one with the highest utilisation") {
     Folded rows;
     CHECK(rows.worst == absent_state);
     rows = rows.with_row(number(State::pass), 0.4, true);
@@ -90,7 +90,7 @@ TEST_SUITE("fold") {
     CHECK(absent.counted == 0.0);
   }
 
-  TEST_CASE("what rows do not decide comes out by whether the mode applies") {
+  TEST_CASE("modes without a deciding row get their state by whether they apply") {
     Unjudged by;
     by.state = {number(State::not_judged), number(State::open), number(State::not_judged)};
     const Folded nothing;
@@ -124,7 +124,7 @@ TEST_SUITE("fold") {
     CHECK(judged(nothing, 2.0, by).state == number(State::accepted));
   }
 
-  TEST_CASE("modes together are the worst of them, but for what was not considered") {
+  TEST_CASE("modes together have the worst state, apart from those not considered") {
     const auto whole = [](std::initializer_list<State> states) {
       Folded all;
       for (const State state : states) all = all.with_mode(number(state), none, number(State::open));
@@ -145,7 +145,7 @@ TEST_SUITE("fold") {
     CHECK(strict.worst == number(State::not_judged));
   }
 
-  TEST_CASE("columns say at every point what the rules say of one machine") {
+  TEST_CASE("columns give at every point what the rules give for one machine") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> value(-0.2, 1.6);
     std::uniform_int_distribution<int> three(0, 2), seven(0, 6), rare(0, 5);
@@ -236,7 +236,7 @@ TEST_SUITE("fold") {
     CHECK(mixed.modes() == 3);
   }
 
-  TEST_CASE("the headline says what stands behind it") {
+  TEST_CASE("the headline names its basis") {
     account::Mode fails = mode_of(State::fail);
     fails.title = say("yield");
     fails.utilisation = 1.27;

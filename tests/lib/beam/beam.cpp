@@ -70,7 +70,7 @@ TEST_SUITE("beam") {
     CHECK(stout.nodes[1].v == Approx(-1000.0 * 8.0 / 48.0 / E_I - 1000.0 * 2.0 / 4.0 / 1e5));
   }
 
-  TEST_CASE("an even load over three supports: 3/8, 10/8, 3/8 of a field, and -q l^2/8 over the middle") {
+  TEST_CASE("a uniform load over three supports: 3/8, 10/8, 3/8 of a span, and -q l^2/8 at the middle support") {
     const Row<Span> all = spans(4, 4.0);
     const std::vector<OfEnds> q(4, even(all.front(), -600.0));
     const Bent bent = beam_of(all, {{0}, {2}, {4}}).bend({}, q);
@@ -82,7 +82,7 @@ TEST_SUITE("beam") {
 
   // A cone from 20 to 40 mm, 1 m long and held at its large end: a force on its small end F l^3/(3 E I) d_2/d, a couple
   // M l/(3 E I) (d_2/d) (1 + d_2/d + (d_2/d)^2), with I of the large end.
-  TEST_CASE("a span that varies is found by integrals, in one part or in many") {
+  TEST_CASE("a span of varying section is integrated, in one part or in many") {
     const auto section = [](double x) { return std::array{std::pow(0.02 + 0.02 * x, 4.0), rigid}; };
     const double EI = std::pow(0.04, 4.0);
     const std::array<double, 3> even{1.0, 0.0, 0.0}, like_section{1.0, 2.0, 1.0};
@@ -127,13 +127,13 @@ TEST_SUITE("beam") {
     CHECK(bent.spans[2].right.M == Approx(40.0));
   }
 
-  TEST_CASE("what does not hold is no beam") {
+  TEST_CASE("an unstable system is not a beam") {
     CHECK_FALSE(Beam::of(spans(3, 3.0), {{1}}).has_value());
     CHECK_FALSE(Beam::of(spans(3, 3.0), {{1}, {1, 5e6}}).has_value());
     CHECK_FALSE(Beam::of(spans(3, 3.0), {}).has_value());
   }
 
-  TEST_CASE("random stepped beams bend as M/EI integrates, balance, and add up") {
+  TEST_CASE("random stepped beams bend as M/EI integrates, balance, and superpose") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> part(0.05, 0.4), stiff(1e3, 1e6), force(-5e3, 5e3);
     for (int k = 0; k < 40; ++k) {
@@ -172,7 +172,7 @@ TEST_SUITE("beam") {
     CHECK(found.dunkerley == Approx(std::sqrt(90.0 * E_I / (mass * std::pow(length, 4.0)))).epsilon(1e-3));
   }
 
-  TEST_CASE("a symmetric beam on three supports hums without its symmetry, lower than bent by its weights") {
+  TEST_CASE("a symmetric beam on three supports vibrates antisymmetrically, lower than when bent by its weights") {
     std::vector<double> masses(41, 0.0);
     masses[10] = masses[30] = 5.0;
     const Frequencies found = frequencies(beam_of(spans(40, 2.0), {{0}, {20}, {40}}), masses);
@@ -181,7 +181,7 @@ TEST_SUITE("beam") {
     CHECK(found.dunkerley < found.lowest);
   }
 
-  TEST_CASE("one mass: the three agree; no mass: no frequency") {
+  TEST_CASE("one mass: the three methods agree; no mass: no frequency") {
     std::vector<double> masses(3, 0.0);
     const Beam beam = beam_of(spans(2, 2.0), {{0}, {2}});
     CHECK(frequencies(beam, masses).lowest == 0.0);

@@ -45,7 +45,7 @@ Swing two_discs(double J_1, double J_2, double k) { return Swing({{1.0, k, 0.0}}
 }  // namespace
 
 TEST_SUITE("swing") {
-  TEST_CASE("two discs on a spring: sqrt(k (1/J_1 + 1/J_2)), and there are no more") {
+  TEST_CASE("two discs on a spring: sqrt(k (1/J_1 + 1/J_2)), and there are no other frequencies") {
     const Swing swing = two_discs(2.0, 3.0, 600.0);
     CHECK(swing.natural(0) == 0.0);
     CHECK(swing.natural(1) == Approx(std::sqrt(500.0)).epsilon(1e-12));
@@ -63,7 +63,7 @@ TEST_SUITE("swing") {
     CHECK(swing.below(203.0) == 3);
   }
 
-  TEST_CASE("a bare bar: i pi c/l, however it is cut up; with one end held the odd halves of it") {
+  TEST_CASE("a bar without discs: i pi c/l, however it is divided; with one end fixed its odd halves") {
     const double l = 1.3, GI = 8e4, j = 0.02, c = std::sqrt(GI / j);
     for (const std::size_t cuts : {std::size_t{1}, std::size_t{2}, std::size_t{7}}) {
       const Swing::Rods rods(cuts, Rod{l / static_cast<double>(cuts), GI, j});
@@ -77,21 +77,21 @@ TEST_SUITE("swing") {
     }
   }
 
-  TEST_CASE("a held bar with a disc on its end: b tan b = J of the bar over J of the disc") {
+  TEST_CASE("a fixed bar with a disc on its end: b tan b = J of the bar over J of the disc") {
     const double l = 1.0, GI = 1e4, j = 0.01, J = 0.025;
     const double omega = Swing({{l, GI, j}}, {{0, 1e12}, {1, J}}).natural(1);
     const double b = omega * l * std::sqrt(j / GI);
     CHECK(b * std::tan(b) == Approx(j * l / J).epsilon(1e-9));
   }
 
-  TEST_CASE("behind a soft coupling a disc swings nearly by itself, and a stiff coupling is none") {
+  TEST_CASE("behind a soft coupling a disc vibrates nearly by itself, and a stiff coupling is a rigid one") {
     const Swing::Rods rods{{0.5, 1e6, 0.001}};
     CHECK(Swing(rods, {{0, 1.0}, {1, 2.0, 10.0}}).natural(1) == Approx(std::sqrt(10.0 * 1.5)).epsilon(1e-3));
     CHECK(Swing(rods, {{0, 1.0}, {1, 2.0, 1e15}}).natural(1) ==
           Approx(Swing(rods, {{0, 1.0}, {1, 2.0}}).natural(1)).epsilon(1e-8));
   }
 
-  TEST_CASE("of random shafts none is missed: Holzer's walk in small steps changes its sign at each") {
+  TEST_CASE("random shafts, no frequency missed: Holzer's method in small steps changes its sign at each") {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> part(0.0, 1.0);
     for (int k = 0; k < 20; ++k) {

@@ -71,7 +71,7 @@ constexpr auto both = {Sense::forward, Sense::backward};
 }  // namespace
 
 TEST_SUITE("whirl") {
-  TEST_CASE("an overhung disc: critical speeds by the quadratic of its two freedoms") {
+  TEST_CASE("an overhung disc: critical speeds by the quadratic of its two degrees of freedom") {
     for (const double I_p : {0.0, 0.3, 0.49, 0.51, 0.8, 1.0}) {
       const Overhung overhung{0.7, 0.4, {30.0, 0.5, I_p}};
       const Whirl whirl = overhung.whirl();
@@ -91,7 +91,7 @@ TEST_SUITE("whirl") {
     }
   }
 
-  TEST_CASE("an overhung disc at a speed: both freedoms' determinant vanishes at each frequency") {
+  TEST_CASE("an overhung disc at a speed: the determinant of both degrees of freedom vanishes at each frequency") {
     const Overhung overhung{0.7, 0.4, {30.0, 0.5, 0.9}};
     const Whirl whirl = overhung.whirl();
     for (const double spin : {0.0, 50.0, 400.0, 5000.0}) {
@@ -108,14 +108,14 @@ TEST_SUITE("whirl") {
 
   // Tiwari, lectures on rotor dynamics at NPTEL, module 5: a cantilever with I_d = m l^2/3 has frequencies of 0.74 and
   // 2.73 times the root of 3 E I/(m l^3); Den Hartog's quadratic gives 0.7321 and 2.7321.
-  TEST_CASE("a cantilever with a disc, as lectures have it") {
+  TEST_CASE("a cantilever with a disc, as in lecture notes") {
     const double m = 12.0, unit = std::sqrt(3.0 * E_I / m);
     const Whirl whirl = Overhung{1e-5, 1.0, {m, m / 3.0, 0.0}}.whirl();
     CHECK(whirl.natural(0, Sense::forward, 0.0) / unit == Approx(std::sqrt(3.0) - 1.0).epsilon(1e-4));
     CHECK(whirl.natural(1, Sense::forward, 0.0) / unit == Approx(std::sqrt(3.0) + 1.0).epsilon(1e-4));
   }
 
-  TEST_CASE("a disc in the middle turns about no diameter in the first mode, and only so in the second") {
+  TEST_CASE("a disc in the middle does not tilt in the first mode, and only tilts in the second") {
     Row<Inertia> inertias(3);
     const Beam beam = beam_of({uniform(0.5, E_I), uniform(0.5, E_I)}, {{0}, {2}});
     for (const double I_p : {0.0, 0.2, 0.39}) {
@@ -148,7 +148,7 @@ TEST_SUITE("whirl") {
     }
   }
 
-  TEST_CASE("points of mass whirl alike at any speed, as frequencies has it") {
+  TEST_CASE("point masses whirl at the same frequency at any speed, that of the beam at rest") {
     std::vector<double> masses(41, 0.0);
     Row<Inertia> inertias(41);
     for (std::size_t n = 0; n < 41; ++n) inertias[n].m = masses[n] = 0.3 + 0.1 * std::sin(static_cast<double>(n));
@@ -161,7 +161,7 @@ TEST_SUITE("whirl") {
     }
   }
 
-  TEST_CASE("of any shaft: forward above rest above backward, parted more by speed, met where it is critical") {
+  TEST_CASE("any shaft: forward above rest above backward, further apart with speed, equal to it where critical") {
     std::mt19937 random(19);
     for (int k = 0; k < 30; ++k) {
       const Whirl whirl = random_shaft(random);

@@ -28,7 +28,7 @@ TEST_SUITE("laws as typed") {
     CHECK(copy.law() == law.law());
   }
 
-  TEST_CASE("what is no law of its quantity keeps its text and says why") {
+  TEST_CASE("a text that is not a law of its quantity is kept with the reason") {
     const LengthLaw law = "3 N*t/(1 s)";
     CHECK(law.law() == nullptr);
     CHECK(law.view() == "3 N*t/(1 s)");

@@ -53,7 +53,7 @@ figure::Scheme slider_crank() {
 }  // namespace
 
 TEST_SUITE("dxf") {
-  TEST_CASE("it is a whole R12 file: version, layers, entities, end") {
+  TEST_CASE("it is a complete R12 file: version, layers, entities, end") {
     const std::string text = draw::dxf_of(slider_crank());
     CHECK(text.starts_with("999\nlengths in mm\n0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n"));
     CHECK(text.ends_with("0\nENDSEC\n0\nEOF\n"));
@@ -78,7 +78,7 @@ TEST_SUITE("dxf") {
     CHECK(on_layer(text, "LINE", "guides")[0].number(10) == doctest::Approx(100.0));
   }
 
-  TEST_CASE("what has no place is left out, and no number is none") {
+  TEST_CASE("an element without a place is left out, and every number is finite") {
     figure::Scheme scheme = slider_crank();
     scheme.bodies[0].points[1].x = std::nan("");
     scheme.guides[0].to.y = INFINITY;

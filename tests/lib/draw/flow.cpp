@@ -24,7 +24,7 @@ bool shows(const std::string& label, const std::string& text) {
 }  // namespace
 
 TEST_SUITE("draw flow") {
-  TEST_CASE("a number is shown to its end, whatever else its label loses") {
+  TEST_CASE("a number is shown in full, whatever else its label loses") {
     const std::string value = "\u00A0=\u00A0up\u00A0to\u00A0181.7\u00A0N·m";
     CHECK(shows("T" + value, "T" + value));
     CHECK(shows("seats.pulley.T" + value, "pulley.T" + value));

@@ -18,7 +18,7 @@ TEST_SUITE("draw") {
     CHECK(count(text, "<path class=\"thin dash\"") == 1);
   }
 
-  TEST_CASE("a positive torque comes out of the page above, a negative one below") {
+  TEST_CASE("a positive torque points out of the page above, a negative one below") {
     Shaft shaft = stepped_shaft();
     for (const double torque : {5.0, -5.0}) {
       shaft.torques = {{0.5, torque, "T"}};
@@ -33,7 +33,7 @@ TEST_SUITE("draw") {
     }
   }
 
-  TEST_CASE("a taper is drawn as one, with both of its diameters") {
+  TEST_CASE("a taper is drawn as a taper, with both of its diameters") {
     Shaft shaft = stepped_shaft();
     shaft.parts[1].right = 0.055;
     const std::string text = drawn(shaft);
@@ -44,14 +44,14 @@ TEST_SUITE("draw") {
     CHECK(overlap(text) == "");
   }
 
-  TEST_CASE("a slender shaft is drawn thicker and says so") {
+  TEST_CASE("a slender shaft is drawn thicker, with a note") {
     CHECK(says(drawn(stepped_shaft()), "in mm; diameters not to the scale of the lengths"));
     Shaft stout;
     stout.parts = {{0.1, 0.04, 0.0}, {0.08, 0.03, 0.0}};
     CHECK(says(drawn(stout), "in mm"));
   }
 
-  TEST_CASE("a found diameter is marked; those of short parts stand above the shaft, off torques") {
+  TEST_CASE("a found diameter is marked; those of short segments are above the shaft, clear of torques") {
     Shaft shaft;
     shaft.parts = {{0.06, 0.028}, {0.012, 0.0355, 0.0, 0.0, true}, {0.042, 0.044023}, {0.104, 0.038}};
     shaft.torques = {{0.03, 89.93, "coupling"}, {0.093, -89.93, "pinion", 1150.0}};
@@ -68,7 +68,7 @@ TEST_SUITE("draw") {
     CHECK(overlap(drawn(shaft)) == "");
   }
 
-  TEST_CASE("bearings stand under the shaft, and the one that holds it along its axis on hatched ground") {
+  TEST_CASE("bearings are drawn under the shaft, the locating one on hatched ground") {
     Shaft shaft = stepped_shaft();
     shaft.bearings = {{0.1, true, "left"}, {0.9, false, "right"}};
     const std::string text = drawn(shaft);
@@ -85,13 +85,13 @@ TEST_SUITE("draw") {
     CHECK(overlap(loaded) == "");
   }
 
-  TEST_CASE("short parts keep their dimensions apart") {
+  TEST_CASE("short segments keep their dimensions apart") {
     Shaft shaft;
     for (int i = 0; i < 12; ++i) shaft.parts.push_back({i % 2 == 0 ? 0.1 : 0.004, i % 2 == 0 ? 0.05 : 0.07, 0.0});
     CHECK(overlap(drawn(shaft)) == "");
   }
 
-  TEST_CASE("the diagrams of a shaft stand below it on its scale, and a line goes through all where it governs") {
+  TEST_CASE("the diagrams of a shaft are below it on its scale, and a line goes through all at the governing section") {
     Shaft shaft = stepped_shaft();
     shaft.diagrams = {torque_plot(), torque_plot()};
     shaft.places = {{0.3, "yield: left"}, {0.35, "fatigue: groove"}};
@@ -109,5 +109,5 @@ TEST_SUITE("draw") {
     CHECK(has(text, "<path class=\"area f0\" d=\"M" + std::string(attribute(first->tag, "x"))));
   }
 
-  TEST_CASE("a shaft without parts says so") { CHECK(says(drawn(Shaft{}), "not available")); }
+  TEST_CASE("a shaft without segments states so") { CHECK(says(drawn(Shaft{}), "not available")); }
 }

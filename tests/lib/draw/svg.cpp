@@ -86,7 +86,7 @@ TEST_SUITE("draw") {
     for (const Figure& figure : good_figures()) CHECK(svg(figure) == svg(figure));
   }
 
-  TEST_CASE("no text of a good figure covers another") {
+  TEST_CASE("no text of a valid figure covers another") {
     for (const Figure& figure : good_figures()) CHECK_MESSAGE(overlap(svg(figure)) == "", figure.id);
   }
 

@@ -50,14 +50,14 @@ TEST_SUITE("csv") {
     for (const std::string& line : lines) CHECK(commas(line) == commas(lines[0]));
   }
 
-  TEST_CASE("the chosen series only, and no file where none is chosen") {
+  TEST_CASE("only the chosen series, and no file where none is chosen") {
     const auto lines = lines_of(exports::csv_of(told(bar).project, project::SeriesChoice({"joints.?.F"})).at(0).second);
     CHECK(lines[0] == "crank angle [deg],joints.A.F [N],joints.B.F [N],joints.C.F [N],joints.D.F [N]");
     CHECK(lines.size() == 13);
     CHECK(exports::csv_of(told(bar).project, project::SeriesChoice({"other.*"})).empty());
   }
 
-  TEST_CASE("cells hold no noise: what differs from a round number by rounding is that number") {
+  TEST_CASE("cells have no rounding noise: a value that differs from a round number by rounding is that number") {
     const auto project = solved(circle);
     for (const std::string& line : lines_of(exports::csv_of(project).at(0).second)) {
       CAPTURE(line);
@@ -69,7 +69,7 @@ TEST_SUITE("csv") {
     CHECK(crank == "crank angle [deg],points.A.x [mm],points.A.y [mm]\n0,5,0\n90,0,5\n180,-5,0\n270,0,-5\n");
   }
 
-  TEST_CASE("what is not available is an empty cell, never nan") {
+  TEST_CASE("a value that is not available is an empty cell, never nan") {
     const std::string text = exports::csv_of(told(bar).project).at(0).second;
     CHECK(text.find(",,,") != std::string::npos);
     CHECK(text.find("nan") == std::string::npos);

@@ -90,7 +90,7 @@ TEST_SUITE("json") {
     CHECK(results.at("segments[1].tau").at("value").as_double() == value(project, "axle.segments[1].tau"));
   }
 
-  TEST_CASE("inputs say where they come from") {
+  TEST_CASE("inputs state their origin") {
     const json::value v = json_of(axle + "T = \"90 N*m\"\nS = 2\nmaterial = \"C45E\"\n");
     const auto& inputs = v.at("steps").at(0).at("inputs").as_object();
     CHECK(inputs.at("T").at("from") == "given");
@@ -108,7 +108,7 @@ TEST_SUITE("json") {
     CHECK(check.at("value").as_double() < 1.0);
   }
 
-  TEST_CASE("the derivation carries formula, given values and result") {
+  TEST_CASE("the derivation has formula, given values and result") {
     const json::value v = json_of(plain);
     const auto& lines = v.at("steps").at(0).at("derivation").as_array();
     const auto found = std::find_if(lines.begin(), lines.end(), [](const auto& l) { return l.at("symbol") == "M_t"; });
@@ -117,7 +117,7 @@ TEST_SUITE("json") {
     CHECK(found->at("value").to_number<double>() == doctest::Approx(2700.0));
   }
 
-  TEST_CASE("what is not available is null with a reason") {
+  TEST_CASE("a value that is not available is null with a reason") {
     const json::value v = json_of(axle + test::no_torque + "tau_adm = \"30 MPa\"\n" + test::relay);
     CHECK(v.at("verdict").at("state") == "not available");
     const auto& check = v.at("steps").at(0).at("checks").at(0);
@@ -126,7 +126,7 @@ TEST_SUITE("json") {
     CHECK(nulls_have_reasons(v));
   }
 
-  TEST_CASE("hostile numbers leave valid JSON") {
+  TEST_CASE("extreme numbers leave valid JSON") {
     for (const char* lines :
          {"T = \"1e300 N*m\"\nK_A = 1e300\ntau_adm = \"1e-300 MPa\"\n", "T = \"0 N*m\"\ntau_adm = \"30 MPa\"\n",
           "T = \"1 N*m\"\nd = \"1e-300 mm\"\ntau_adm = \"1e-300 MPa\"\ntheta_adm = \"1e-300 rad/m\"\nG = \"1e-300 "

@@ -164,7 +164,7 @@ TEST_SUITE("schema") {
     }
   }
 
-  TEST_CASE("it tells what \"?\" finds: sizes of a stock, and the largest load that passes") {
+  TEST_CASE("it states what \"?\" finds: sizes of a stock, and the largest load that passes") {
     const auto told = [](const char* calculator, const char* field) {
       const json::value& found = schema().at("$defs").at(calculator).at("properties").at(field).at("description");
       return std::string(std::string_view(found.as_string()));
@@ -225,7 +225,7 @@ TEST_SUITE("schema") {
     CHECK_FALSE(accepts(schema(), tree_of("[p]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 41.5\nm_n = \"2 mm\"\n")));
   }
 
-  TEST_CASE("it wants what the program wants, of lists and groups too") {
+  TEST_CASE("it requires what the program requires, of lists and groups too") {
     const std::string over = "[o]\ncalculator = \"shaft.overhung\"\nT = \"9 N*m\"\na = \"50 mm\"\n";
     CHECK_FALSE(accepts(schema(), tree_of(over + "sigma_adm = \"60 MPa\"\n")));
     CHECK(accepts(schema(), tree_of(over + "sigma_adm = \"60 MPa\"\nF = \"1 kN\"\n")));
@@ -263,7 +263,7 @@ TEST_SUITE("schema") {
     CHECK_FALSE(accepts(schema(), tree_of("[project]\ntables = \"own.toml\"\n")));
   }
 
-  TEST_CASE("a row may be searched for in a stock, and the rows of a list may stand in a file") {
+  TEST_CASE("a row may be searched for in a stock, and the rows of a list may be in a file") {
     const std::string rod = "[rod]\ncalculator = \"column.buckling\"\nN = \"9 kN\"\nl = \"1 m\"\nE = \"210 GPa\"\n";
     CHECK(accepts(schema(), tree_of(rod + "section = { stock = \"sections/ipe\" }\n")));
     CHECK_FALSE(accepts(schema(), tree_of(rod + "section = { stok = \"sections/ipe\" }\n")));

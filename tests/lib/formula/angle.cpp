@@ -7,7 +7,7 @@
 using namespace loadpath::formula;
 
 TEST_SUITE("formula") {
-  TEST_CASE("an angle is told from a number by its formula") {
+  TEST_CASE("an angle is distinguished from a number by its formula") {
     struct Row {
       std::string_view formula;
       bool angle;

@@ -25,7 +25,7 @@ std::optional<double> known(std::string_view name) {
 }  // namespace
 
 TEST_SUITE("formula") {
-  TEST_CASE("the value is what C++ computes") {
+  TEST_CASE("the value is the one that C++ computes") {
     const double a = 3.0, b = -2.0, c = 0.5, d = 0.04, W = 2.5, pi = std::acos(-1.0);
     struct Row {
       std::string_view cpp;
@@ -77,7 +77,7 @@ TEST_SUITE("formula") {
     }
   }
 
-  TEST_CASE("a name keeps what it is read from, and is shown without it") {
+  TEST_CASE("a name keeps its path, and is shown without it") {
     CHECK(names(parse("in.d_1 * (d - r.F_c / pulley.d) + in.load.d_1 * in.d_1").value()) ==
           std::vector<std::string>{"in.d_1", "d", "r.F_c", "pulley.d", "in.load.d_1"});
     CHECK(names(parse("in.kind == belt::Kind::wide ? 2.5 : 1.0").value()) ==
@@ -88,7 +88,7 @@ TEST_SUITE("formula") {
     CHECK(shown("in.kind == belt::Kind::wide ? 2.5 : d") == "kind == wide ? 2.5 : d");
   }
 
-  TEST_CASE("an unknown name makes the value NaN, also behind a comparison") {
+  TEST_CASE("an unknown name makes the value NaN, also after a comparison") {
     for (const char* cpp : {"a + unknown", "unknown < a", "unknown < a ? 1.0 : 2.0", "min(a, unknown)", "-unknown"}) {
       CAPTURE(cpp);
       CHECK(std::isnan(value(parse(cpp).value(), known)));
@@ -96,7 +96,7 @@ TEST_SUITE("formula") {
     CHECK(std::isnan(value(parse("a").value(), {})));
   }
 
-  TEST_CASE("what is not in the language is refused") {
+  TEST_CASE("text outside the language is refused") {
     for (const char* cpp : {"",
                             "a +",
                             "a b",

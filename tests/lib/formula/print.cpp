@@ -95,7 +95,7 @@ TEST_SUITE("formula") {
     }
   }
 
-  TEST_CASE("MathML draws fractions, roots, powers, products") {
+  TEST_CASE("MathML has fractions, roots, powers, products") {
     for (const Row& row :
          std::vector<Row>{{"a / b", "<mfrac><mi>a</mi><mi>b</mi></mfrac>"},
                           {"2.0 * W", "<mn>2</mn><mspace width=\"0.17em\"/><mi>W</mi>"},
@@ -116,7 +116,7 @@ TEST_SUITE("formula") {
     }
   }
 
-  TEST_CASE("TeX keeps clear of backslashes before punctuation") {
+  TEST_CASE("TeX has no backslash before punctuation") {
     for (const Row& row : std::vector<Row>{
              {"16.0 * T / (pi * pow<3>(d))", "\\frac{16\\thinspace T}{\\pi\\thinspace d^{3}}"},
              {"a * (b - c)", "a\\thinspace \\left( b - c \\right)"},
@@ -129,7 +129,7 @@ TEST_SUITE("formula") {
     }
   }
 
-  TEST_CASE("the branch that the values take is printed, both where they are unknown") {
+  TEST_CASE("the branch of the values is printed, both where they are unknown") {
     const auto tree = parse("a + (b < 1.0 ? c : d) * k").value();
     const auto known = [](std::string_view name) { return name == "b" ? std::optional(0.5) : std::nullopt; };
     CHECK(plain(tree, {}, known) == "a + c · k");
@@ -137,7 +137,7 @@ TEST_SUITE("formula") {
     CHECK(plain(tree, {}, nothing) == "a + (b < 1 ? c : d) · k");
   }
 
-  TEST_CASE("a letter that is a symbol and a unit is a unit only where the symbols are known and it is none") {
+  TEST_CASE("a letter that is a symbol and a unit is a unit only where the symbols are known and it is not one") {
     const auto tree = parse("F / N").value();
     CHECK(mathml(tree) == "<mfrac><mi>F</mi><mi>N</mi></mfrac>");
     const auto known = [](std::string_view name) { return name == "F" ? std::optional(5.0) : std::nullopt; };
@@ -158,7 +158,7 @@ TEST_SUITE("formula") {
     CHECK(tex(parse("z / 2.0 + 1.0").value(), numbers) == "8/2 + 1");
   }
 
-  TEST_CASE("a sum falls into terms that begin with their signs") {
+  TEST_CASE("a sum is split into terms that begin with their signs") {
     const auto terms = mathml_terms(parse("a - b * c + d").value());
     REQUIRE(terms.size() == 3);
     CHECK(terms[0] == "<mi>a</mi>");

@@ -119,7 +119,7 @@ TEST_SUITE("formula") {
     }
   }
 
-  TEST_CASE("plain text of a random tree means what the tree means") {
+  TEST_CASE("plain text of a random tree has the meaning of the tree") {
     Trees trees(2);
     for (int i = 0; i < 3000; ++i) {
       const Node tree = trees.algebra(5);

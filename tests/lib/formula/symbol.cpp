@@ -8,7 +8,7 @@
 using namespace loadpath::formula;
 
 TEST_SUITE("formula") {
-  TEST_CASE("a name becomes the symbol of the field in three notations") {
+  TEST_CASE("a name becomes the technical symbol in three notations") {
     struct Row {
       std::string_view name, plain, tex, mathml;
     };

@@ -255,7 +255,7 @@ TEST_SUITE("mechanism") {
     CHECK(before.turning == doctest::Approx(after.turning).epsilon(1e-6));
   }
 
-  TEST_CASE("a follower under a spring lifts off above the speed at which m a is the spring's force") {
+  TEST_CASE("a follower under a spring lifts off above the speed at which m a is the spring force") {
     const double h = 0.012, m = 0.8, k = 3000.0, squeeze = 0.01, g = 9.81;
     Model model = cam_with_roller(LiftLaw::cycloidal, 0.0);
     model.loads.clear();
@@ -280,7 +280,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a flat face rubs with mu N against its sliding, and the drive pays for it") {
+  TEST_CASE("a flat face rubs with mu N against its sliding, and the drive supplies the power") {
     Model model = cam_with_flat_face();
     Running smooth(model);
     model.joints.back().friction.coefficient = 0.15;
@@ -410,7 +410,7 @@ TEST_SUITE("mechanism") {
     CHECK(std::isinf(bends_of(profile).hollow));
   }
 
-  TEST_CASE("a follower sets out from its dwell, and comes to it, as anywhere else") {
+  TEST_CASE("a follower leaves its dwell, and reaches it, as at any other position") {
     for (const double step : {1.0, 5.0, 15.0}) {
       CAPTURE(step);
       for (const Model& model : {cam_with_roller(LiftLaw::cycloidal), cam_with_flat_face(LiftLaw::polynomial_345)}) {
@@ -425,7 +425,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a cam takes one freedom") {
+  TEST_CASE("a cam removes one degree of freedom") {
     const Structure structure = analyse(cam_with_roller());
     CHECK(structure.mobility_by_count == 1);
     CHECK(structure.mobility == 1);

@@ -210,7 +210,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("viscous friction takes power from every joint that moves, and the drive brings it") {
+  TEST_CASE("viscous friction takes power from every joint that moves, and the drive supplies it") {
     for (Model model : {slider_crank(), slotted_lever(), cam_with_roller(), rolling_wheel()}) {
       const std::vector<Drive> drives{{1.0, 30.0, 0.0}};
       const double without = position_of(model, drives).effort[0];
@@ -227,7 +227,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("all proofs agree with friction in every joint, and see an effort without it") {
+  TEST_CASE("all proofs agree with friction in every joint, and detect an effort without it") {
     for (const Model& model : {rubbing_slider_crank(0.15), rubbing_lever(0.1), drawer(0.1, 0.25)}) {
       const std::vector<Drive> drives{{1.0, 30.0, 0.0}};
       Position at = position_of(model, drives);
@@ -238,7 +238,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("without friction nothing changes, and a little of it changes little") {
+  TEST_CASE("without friction nothing changes, and little friction changes little") {
     const Drive drive{1.0, 30.0, 0.0};
     const Position none = position_of(slider_crank(), {drive}), zero = position_of(rubbing_slider_crank(0.0), {drive});
     CHECK(none.effort[0] == zero.effort[0]);
@@ -248,7 +248,7 @@ TEST_SUITE("mechanism") {
     CHECK(second == doctest::Approx(2.0 * first).epsilon(1e-3));
   }
 
-  TEST_CASE("forces are solved for once without what friction induces, once with each of it, and once with all") {
+  TEST_CASE("forces are solved once without friction, once with each friction, and once with all") {
     const Model model = rubbing_lever(0.1);
     Position at = position_of(model, {{0.5, 10.0, 0.0}});
     InducedForces induced(model);

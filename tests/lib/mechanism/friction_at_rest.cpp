@@ -40,8 +40,7 @@ double effort(const Model& model, double impending) { return solved(model, {0.0,
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE(
-      "a block on a plane: what pushes it up, what lets it down, and tan alpha = mu between holding and sliding") {
+  TEST_CASE("a block on a plane: the forces that push it up and let it down, and tan alpha = mu at the slip limit") {
     const double mu = 0.3;
     for (const double alpha : {0.1, 0.25, std::atan(mu) - 1e-6, std::atan(mu) + 1e-6, 0.6, 1.2}) {
       CAPTURE(alpha);
@@ -73,7 +72,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("with less friction the band is narrower, and closes without any") {
+  TEST_CASE("with less friction the range is narrower, and closes without friction") {
     const Model model = rubbing_slider_crank(0.2);
     GroupSystem system(model);
     REQUIRE(system.assemble() == Status::closed);
@@ -96,7 +95,7 @@ TEST_SUITE("mechanism") {
     CHECK(effort_of(0.0, 1.0) == doctest::Approx(effort_of(0.0, -1.0)).epsilon(1e-12));
   }
 
-  TEST_CASE("at a dead point friction of the slide is that just before, just after, or none; never a chance sign") {
+  TEST_CASE("at a dead point the friction of the slide is that just before, just after, or none; never a random sign") {
     const Model model = rubbing_slider_crank(0.15);
     GroupSystem system(model);
     REQUIRE(system.assemble() == Status::closed);

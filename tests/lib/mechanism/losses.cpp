@@ -63,7 +63,7 @@ const std::vector<Train> trains{
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("what arrives is the efficiency times what is sent, whichever wheel drives and whichever way it turns") {
+  TEST_CASE("the output power is the efficiency times the input power, whichever gear drives in either direction") {
     for (const Train& p : trains) {
       CAPTURE(p.name);
       for (const double moment : {12.0, -12.0}) {
@@ -83,7 +83,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a rack gets the efficiency's part of the pinion's power, and gives its own part back") {
+  TEST_CASE("a rack gets the power of the pinion times the efficiency, and in reverse likewise") {
     for (const double force : {-100.0, 100.0}) {
       Model model = pinion_and_rack();
       model.loads.clear();
@@ -95,7 +95,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a planetary gear whose arm gives off: eta = (1 - i0 eta0) / (1 - i0), i0 = -5/2 in the standing gear") {
+  TEST_CASE("a planetary gear with the arm as output: eta = (1 - i0 eta0) / (1 - i0), i0 = -5/2 with the arm fixed") {
     Model model = planetary();
     for (Joint& joint : model.joints) {
       if (joint.kind == JointKind::gear) lose(joint, 0.97, 0.97);
@@ -106,7 +106,7 @@ TEST_SUITE("mechanism") {
     CHECK(useful / drive == doctest::Approx((1.0 - i0 * standing) / (1.0 - i0)).epsilon(1e-12));
   }
 
-  TEST_CASE("a worm: what its efficiency backward says, 2 - 1/eta, locks below one half") {
+  TEST_CASE("a worm: its reverse efficiency, 2 - 1/eta, means self-locking for eta below one half") {
     for (const double forward : {0.8, 0.5, 0.4}) {
       CAPTURE(forward);
       Model model = two_wheels(JointKind::gear, 0.02, 0.4, 0.42, -30.0);
@@ -121,7 +121,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("without losses nothing changes, and what stands loses nothing") {
+  TEST_CASE("without losses nothing changes, and a gear at rest loses nothing") {
     const Model without = gear_train(0.349);
     Model lossless = without, lossy = without;
     lose(lossless.joints.back(), 1.0, 1.0);

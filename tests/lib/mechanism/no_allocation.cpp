@@ -8,7 +8,7 @@
 #include <cstddef>
 
 TEST_SUITE("mechanism") {
-  TEST_CASE_TEMPLATE("a turn of the crank allocates nothing, nor does a move that fails", System,
+  TEST_CASE_TEMPLATE("a revolution of the crank allocates nothing, nor does a move that fails", System,
                      loadpath::mechanism::WholeSystem, loadpath::mechanism::GroupSystem) {
     using namespace loadpath::mechanism;
     Model rocker_driven = models::four_bar();

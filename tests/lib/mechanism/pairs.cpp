@@ -57,7 +57,7 @@ double largest_force(const Position& at) {
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("every joint type: the groups and the whole system agree") {
+  TEST_CASE("every joint type: the groups and the full system agree") {
     for (const Case& c : cases()) {
       CAPTURE(c.name);
       CHECK(diagnose(c.model).empty());
@@ -92,7 +92,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("every joint type: all proofs agree, over many turns") {
+  TEST_CASE("every joint type: all proofs agree, over many revolutions") {
     for (const Case& c : cases()) {
       CAPTURE(c.name);
       Run<GroupSystem> run(c.model);
@@ -125,7 +125,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a gear turns as its radii say, and its teeth push away from each other") {
+  TEST_CASE("a gear turns by the ratio of the radii, and its teeth push apart") {
     Run<GroupSystem> run(gear_train(0.349));
     const Position& at = run(0.7);
     CHECK(at.velocity[0].phi == doctest::Approx(-2.5 * at.velocity[1].phi).epsilon(1e-13));
@@ -149,7 +149,7 @@ TEST_SUITE("mechanism") {
     CHECK(statics(1.0).effort[0] == doctest::Approx(10.0 / 3.5).epsilon(1e-12));
   }
 
-  TEST_CASE("wheels keep their assembly over many turns and long moves") {
+  TEST_CASE("gears keep their assembly over many revolutions and long moves") {
     for (const Model& model : {planetary(), gear_train()}) {
       GroupSystem small(model), large(model);
       REQUIRE(small.assemble() == Status::closed);
@@ -177,7 +177,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("an open belt turns in the same sense, a crossed one in the other, and it only pulls") {
+  TEST_CASE("an open belt turns in the same direction, a crossed one in the other, and it only pulls") {
     for (const bool crossed : {false, true}) {
       CAPTURE(crossed);
       for (const double moment : {-3.0, 3.0}) {
@@ -198,7 +198,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a rigid joint carries the couple that the same link in one piece needs not") {
+  TEST_CASE("a rigid joint transmits the internal couple of the same link in one piece") {
     Model whole = four_bar();
     const Model pieces = welded_four_bar();
     const Link& end = pieces.links[3];

@@ -191,7 +191,7 @@ TEST_SUITE("mechanism") {
   }
 
   // Without friction, belts or cams that let go the forces are linear in the loads.
-  TEST_CASE_TEMPLATE("superposition: random mechanisms answer to loads together as to each of them", System,
+  TEST_CASE_TEMPLATE("superposition: random mechanisms respond to loads together as to each of them", System,
                      WholeSystem, GroupSystem) {
     std::mt19937 random(3);
     for (const auto& path : files()) {

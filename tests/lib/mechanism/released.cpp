@@ -75,7 +75,7 @@ TEST_SUITE("mechanism held too much") {
     }
   }
 
-  TEST_CASE("it gets over them in one long move as well") {
+  TEST_CASE("it passes them in one long move as well") {
     const Model model = parallel_cranks(in_a_triangle, 1.1);
     ReleasedSystem system(model, true);
     REQUIRE(system.assemble() == Status::closed);
@@ -114,7 +114,7 @@ TEST_SUITE("mechanism held too much") {
     }
   }
 
-  TEST_CASE("friction on a reaction that is not unique is refused with its joint") {
+  TEST_CASE("friction on a non-unique reaction is refused with its joint") {
     Model model = parallel_cranks(in_a_triangle, 1.1);
     model.joints[2].friction = {.coefficient = 0.1, .pin_radius = 0.01};
     const auto findings = diagnose(model);
@@ -123,7 +123,7 @@ TEST_SUITE("mechanism held too much") {
     CHECK(findings[0].message.text().starts_with("friction, tooth or belt forces of joint 'O2'"));
   }
 
-  TEST_CASE("two pairs of gears that do the same share the moment as they like") {
+  TEST_CASE("two parallel pairs of gears share the moment in any proportion") {
     Model model;
     const int a = add_link(model, "a", {0.0, 0.0, 0.0}, 1.0, 0.01);
     const int b = add_link(model, "b", {0.3, 0.0, 0.0}, 1.0, 0.01);

@@ -36,7 +36,7 @@ std::array<double, 3> derivatives(Function f, double x, double h) {
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("a slot equals a massless slider with a pin, all round the turn") {
+  TEST_CASE("a slot equals a massless slider with a pin, over the full revolution") {
     const Model plain = slot_on_a_moving_link(false);
     const Model detailed = slot_on_a_moving_link(true);
     WholeSystem slot_system(plain);
@@ -64,7 +64,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a slot pushes square to its line only") {
+  TEST_CASE("a slot pushes perpendicular to its line only") {
     const Solved solved = solve(slotted_lever(), {{0.9, 45.0, 0.0}});
     REQUIRE(solved.status == Status::closed);
     const double phi = solved.at.pose[1].phi;
@@ -73,7 +73,7 @@ TEST_SUITE("mechanism") {
     CHECK(solved.at.reactions[2].couple == 0.0);
   }
 
-  TEST_CASE("a piston that drives gives the crank the motion of the closed form") {
+  TEST_CASE("a driving piston gives the crank the motion of the closed form") {
     const double speed = 0.7;
     const double acceleration = -2.0;
     for (const double x : {0.25, 0.3, 0.34, 0.38}) {
@@ -87,7 +87,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a cylinder that swings gives the boom the motion of the closed form") {
+  TEST_CASE("a swinging cylinder gives the boom the motion of the closed form") {
     const double speed = 0.3;
     const double acceleration = 0.8;
     for (const double cylinder : {0.75, 0.9, 1.1, 1.3}) {

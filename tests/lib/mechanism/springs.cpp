@@ -24,7 +24,7 @@ Model sprung() {
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("a stretched spring pulls its ends together, a damper resists their parting") {
+  TEST_CASE("a stretched spring pulls its ends together, a damper resists their separation") {
     Model model;
     const int block = add_link(model, "block", {});
     slide(model, "guide", block, {}, ground, {});
@@ -38,7 +38,7 @@ TEST_SUITE("mechanism") {
     CHECK(spring_now(model.springs[0], solved.at).effort == doctest::Approx(effort));
   }
 
-  TEST_CASE("a damper resists with the rate at which its ends part, between turning links too") {
+  TEST_CASE("a damper resists with the rate at which its ends separate, between rotating links too") {
     Model model = slider_crank();
     const double c = 15.0, dt = 1e-6, speed = 7.0;
     model.springs.push_back({"c", Spring::Kind::linear, 1, 0, {0.1, 0.02}, {0.03, -0.01}, 0.0, 0.0, c});
@@ -92,7 +92,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("over a whole turn springs give back what they take") {
+  TEST_CASE("over a full revolution springs return the energy they take") {
     Model model = sprung();
     for (Spring& spring : model.springs) spring.damping = 0.0;
     model.loads.clear();

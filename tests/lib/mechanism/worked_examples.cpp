@@ -39,7 +39,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("crank and slotted lever, example 10.1: over a turn") {
+  TEST_CASE("crank and slotted lever, example 10.1: over a revolution") {
     const struct {
       double crank_deg, M, R12, R03, phi3_deg, omega3, eps3;
     } rows[] = {{-60.0, 15.14111441, 727.8941916, 276.4454436, -13.89788625, 8.653846154, 249.0463587},
@@ -72,7 +72,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("crank and slotted lever, example 10.1: the work per turn is zero, the peak is in the return stroke") {
+  TEST_CASE("crank and slotted lever, example 10.1: zero work per revolution, the peak in the return stroke") {
     WholeSystem system(slotted_lever());
     REQUIRE(system.assemble() == Status::closed);
     Position at = system.blank();
@@ -94,7 +94,7 @@ TEST_SUITE("mechanism") {
     CHECK(peak_deg == doctest::Approx(202.7).epsilon(1e-4));
   }
 
-  TEST_CASE("crank and slotted lever, example 10.1: a load in the working stroke only pays 19.575 J per turn") {
+  TEST_CASE("crank and slotted lever, example 10.1: a load in the working stroke only takes 19.575 J per revolution") {
     WholeSystem system(slotted_lever());
     REQUIRE(system.assemble() == Status::closed);
     Position at = system.blank();
@@ -155,7 +155,7 @@ TEST_SUITE("mechanism") {
     check(solved.at.reactions[9].force, {8.402578351, 3.402578351});
   }
 
-  TEST_CASE("crank with a group of six links, example 5: speeds of the links by the crank's") {
+  TEST_CASE("crank with a group of six links, example 5: speeds of the links by that of the crank") {
     WholeSystem system(crank_with_six_link_group());
     REQUIRE(system.assemble() == Status::closed);
     Position at = system.blank();

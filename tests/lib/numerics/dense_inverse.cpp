@@ -58,18 +58,18 @@ TEST_SUITE("numerics") {
     }
   }
 
-  TEST_CASE("a zero on the diagonal is no obstacle: rows change places") {
+  TEST_CASE("a zero on the diagonal is not an obstacle: rows are exchanged") {
     const Matrix a{0.0, 2.0, 0.0, 0.0, 0.0, 4.0, 8.0, 0.0, 0.0};
     CHECK(inverse_of(a, 3) == Matrix{0.0, 0.0, 0.125, 0.5, 0.0, 0.0, 0.0, 0.25, 0.0});
   }
 
-  TEST_CASE("rows after one another or columns, the inverse lies alike") {
+  TEST_CASE("stored by rows or by columns, the inverse is stored alike") {
     const Matrix a{2.0, 1.0, 0.0, 4.0};
     CHECK(inverse_of(a, 2) == Matrix{0.5, -0.125, 0.0, 0.25});
     CHECK(inverse_of({2.0, 0.0, 1.0, 4.0}, 2) == Matrix{0.5, 0.0, -0.125, 0.25});
   }
 
-  TEST_CASE("a singular matrix has no inverse of finite numbers, and its sums tell it") {
+  TEST_CASE("a singular matrix has no inverse of finite numbers, and its sums show it") {
     const Matrix a{1.0, 2.0, 2.0, 4.0};
     CHECK(numerics::largest_row_sum(a, 2) == 6.0);
     CHECK_FALSE(std::isfinite(numerics::largest_row_sum(inverse_of(a, 2), 2)));

@@ -35,7 +35,7 @@ TEST_SUITE("fixed point") {
     CHECK(calls([](double x) { return 1.0 / (1.0 + x); }, 0.5 * (std::sqrt(5.0) - 1.0)) < 20);
   }
 
-  TEST_CASE("where there is none up to the bound it is not a number") {
+  TEST_CASE("where there is no solution up to the bound the result is NaN") {
     CHECK(std::isnan(numerics::fixed_point([](double x) { return 1.0 + x; }, 100.0)));
     CHECK(std::isnan(numerics::fixed_point([](double x) { return 1.0 + 2.0 * x; }, 100.0)));
     CHECK(std::isnan(numerics::fixed_point([](double) { return 101.0; }, 100.0)));

@@ -11,7 +11,7 @@
 TEST_SUITE("numerics") {
   using namespace loadpath::numerics;
 
-  TEST_CASE("of values that only rounding parts none exceeds the other") {
+  TEST_CASE("of values that differ only by rounding none exceeds the other") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (const double x : {1.0, 0.1, 7.0 / 3.0, -2.5, 1e300, 1e-300}) {
       CAPTURE(x);
@@ -27,7 +27,7 @@ TEST_SUITE("numerics") {
     CHECK(exceeds(1e-300, 0.0));
   }
 
-  TEST_CASE("in a twisted square the first of eight places alike is the one of the largest stress") {
+  TEST_CASE("in a twisted square the largest stress is at the first of eight equal places") {
     const std::array<PlanePoint, 4> exact{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
     for (std::size_t moved = 0; moved < 4; ++moved) {
       for (const double by : {-1e-15, 0.0, 1e-15}) {

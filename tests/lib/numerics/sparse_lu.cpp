@@ -77,7 +77,7 @@ TEST_SUITE("numerics") {
     }
   }
 
-  TEST_CASE("a pivot that vanishes brings a new order, not a failure") {
+  TEST_CASE("a pivot that vanishes leads to a new order, not to a failure") {
     const std::vector<numerics::MatrixEntry> pattern{{0, 0}, {0, 1}, {1, 0}, {1, 1}};
     numerics::SparseLu lu(2, pattern);
     REQUIRE(lu.factor(std::vector{1.0, 0.1, 0.1, 1.0}));

@@ -27,7 +27,7 @@ TEST_SUITE("numerics") {
     CHECK(spline.at(9.0).first == 0.0);
   }
 
-  TEST_CASE("it goes through its points with continuous derivatives, and nears a smooth curve with the fourth power") {
+  TEST_CASE("it goes through its points with continuous derivatives, and converges with the fourth power") {
     double before = 0.0;
     for (const std::size_t count : {11U, 21U, 41U}) {
       std::vector<double> x, y;
@@ -50,7 +50,7 @@ TEST_SUITE("numerics") {
     }
   }
 
-  TEST_CASE("how far a spline swings beyond its points") {
+  TEST_CASE("how far a spline overshoots its points") {
     // From rest through (0, 0), (1, 1), (2, 1): the slope at 1 is 3/4, and 1 + 3/4 t (1 - t)^2 is highest at t = 1/3.
     const std::array x{0.0, 1.0, 2.0}, y{0.0, 1.0, 1.0};
     const auto over = RestToRestSpline(x, y).largest_overshoot();
@@ -84,7 +84,7 @@ TEST_SUITE("numerics") {
     CHECK(curve.at(1.5).first == doctest::Approx(2.0 / (1.0 / -6.0 + 1.0 / (-0.1 / 1.5))));
   }
 
-  TEST_CASE("a closed curve comes again after its period, wherever it begins") {
+  TEST_CASE("a closed curve repeats after its period, wherever it begins") {
     const double period = 2.0 * std::numbers::pi;
     std::vector<double> x, y;
     for (int k = 0; k < 40; ++k) {

@@ -37,7 +37,7 @@ TEST_SUITE("project bodies") {
     }
   }
 
-  TEST_CASE("what depends on the size is computed with the size of the body") {
+  TEST_CASE("results that depend on the size are computed with the size of the body") {
     const Solved one(torsion("strong", "900 N*m", body) + torsion("weak", "300 N*m", body) +
                      torsion("other", "1 N*m", "d = \"=weak.d\"\n"));
     CHECK(one.value("other.d") == doctest::Approx(0.056));
@@ -79,7 +79,7 @@ TEST_SUITE("project bodies") {
     CHECK(Solved(strut("a", "900 kN", "") + strut("b", "900 kN", "")).errors() == "");
   }
 
-  TEST_CASE("a body of one step alone, and steps without a common size, are refused") {
+  TEST_CASE("a body with only one step, and steps without a common size, are refused") {
     CHECK(contains(Solved(torsion("strong", "900 N*m", body)).errors(), "no other step describes the body"));
     const Solved typo(torsion("a", "900 N*m", body) + torsion("b", "900 N*m", body) +
                       torsion("c", "900 N*m", "body = \"crankshat\"\n"));

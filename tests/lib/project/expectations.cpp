@@ -18,7 +18,7 @@ const std::string source = "source = \"here\"\n";
 }  // namespace
 
 TEST_SUITE("project expectations") {
-  TEST_CASE("digits allow half a unit of the last") {
+  TEST_CASE("digits allow half a unit of the last digit") {
     CHECK(project::half_unit(43.17, 4) == doctest::Approx(0.005));
     CHECK(project::half_unit(-0.0432, 3) == doctest::Approx(0.00005));
     CHECK(project::half_unit(100.0, 3) == doctest::Approx(0.5));
@@ -76,7 +76,7 @@ TEST_SUITE("project expectations") {
     CHECK(compared("value = \"=axle.M_max / axle.T\"\nis = \"1\"\ndigits = 9\n" + source).holds);
   }
 
-  TEST_CASE("what is not available is a miss") {
+  TEST_CASE("a value that is not available is a miss") {
     const auto project = told(axle + no_torque + "tau_adm = \"30 MPa\"\n" + relay +
                               "[[expect]]\nvalue = \"axle.M_max\"\nis = \"1 "
                               "N*m\"\ndigits = 3\n" +
@@ -119,7 +119,7 @@ TEST_SUITE("project expectations") {
               .ends_with("  = help: write a part of the value, \"0.5 %\", or a difference from it, \"±0.01\"\n"));
   }
 
-  TEST_CASE("an unknown key of an expectation is told with the nearest one") {
+  TEST_CASE("an unknown key of an expectation is reported with the nearest one") {
     CHECK(issues_of(expecting("value = \"axle.M_max\"\nis = \"1 N*m\"\ndigits = 3\nsuorce = \"here\"\n" + source)) ==
           R"(a.toml:9:1: error: 'suorce' is not a valid key here
 9 | suorce = "here"

@@ -27,7 +27,7 @@ const std::string gears =
 }  // namespace
 
 TEST_SUITE("factors") {
-  TEST_CASE("a service factor that a load holds is not applied again") {
+  TEST_CASE("a service factor that a load includes is not applied again") {
     const Solved twice(chain("1.4") + end("F = \"=chain.F_W\"\nT = \"0 N*m\"\nK_A = 1.3"));
     CHECK_MESSAGE(contains(twice.errors(), "end.K_A: K_A would be applied twice: 'F' includes chain.K_A = 1.4"),
                   twice.errors());
@@ -45,7 +45,7 @@ TEST_SUITE("factors") {
     CHECK_MESSAGE(without.errors().empty(), without.errors());
   }
 
-  TEST_CASE("reactions of a mechanism hold what its loads hold") {
+  TEST_CASE("reactions of a mechanism include what its loads include") {
     const auto press = [](const std::string& K_A) {
       return chain("1.4") +
              "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"50 mm\"\nl = \"200 mm\"\n"
@@ -59,7 +59,7 @@ TEST_SUITE("factors") {
     CHECK_MESSAGE(once.errors().empty(), once.errors());
   }
 
-  TEST_CASE("nor in one expression, nor as its square") {
+  TEST_CASE("a factor is not applied twice in one expression, nor as its square") {
     const auto errors_of = [](const std::string& F) {
       return Solved(chain("1.4") + end("F = \"=" + F + "\"\nT = \"0 N*m\"")).errors();
     };
@@ -78,7 +78,7 @@ TEST_SUITE("factors") {
     }
   }
 
-  TEST_CASE("what differs is named, of what both hold nothing is said") {
+  TEST_CASE("differing factors are named, common ones are not") {
     const Solved unlike(chain("1.4") + gears + "K_f = 1.5\n" +
                         end("F = \"=max(chain.F_W, gears.K_f*chain.F_W)\"\nT = \"0 N*m\""));
     CHECK_MESSAGE(contains(unlike.errors(), "'gears.K_f*chain.F_W' holds gears.K_f, and 'chain.F_W' does not"),
@@ -103,7 +103,7 @@ TEST_SUITE("factors") {
         "'chain.F_W' holds chain.K_A, and 'gears.K_A*gears.F_tw' holds gears.K_A"));
   }
 
-  TEST_CASE("moments that a step finds hold what its loads hold") {
+  TEST_CASE("moments that a step finds include what its loads include") {
     const auto line = [](const std::string& K_A) {
       return chain("1.4") +
              "[line]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nT = \"=chain.K_A*chain.T_2\"\n" +
@@ -115,7 +115,7 @@ TEST_SUITE("factors") {
     CHECK_MESSAGE(Solved(line("")).errors().empty(), Solved(line("")).errors());
   }
 
-  TEST_CASE("lists that are taken whole bring the factors of their loads") {
+  TEST_CASE("lists that are taken whole include the factors of their loads") {
     const auto line = [](const std::string& K_A) {
       return chain("1.4") +
              "[line]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nfixed = \"left\"\n"
@@ -130,7 +130,7 @@ TEST_SUITE("factors") {
     CHECK_MESSAGE(Solved(line("")).errors().empty(), Solved(line("")).errors());
   }
 
-  TEST_CASE("a factor that comes to 1 is none, however it is written") {
+  TEST_CASE("a factor that is 1 counts as none, however it is written") {
     const auto own = [](const std::string& K_A) {
       return Solved(chain("1.4") + gears + end("F = \"=chain.F_W\"\nT = \"0 N*m\"\nK_A = \"=" + K_A + "\"")).errors();
     };
@@ -139,7 +139,7 @@ TEST_SUITE("factors") {
     CHECK(contains(own("1.1*gears.K_A"), "K_A would be applied twice"));
   }
 
-  TEST_CASE("the place of a series is no load, nor is an angle between loads") {
+  TEST_CASE("a position of a series is not a load, nor is an angle between loads") {
     const auto held = [](const std::string& text) {
       const auto expression = Expression::parse(text);
       REQUIRE(expression);
@@ -157,7 +157,7 @@ TEST_SUITE("factors") {
 }
 
 TEST_SUITE("shaft loads") {
-  TEST_CASE("a factor that stands in [values] is that of the step which has it") {
+  TEST_CASE("a factor in [values] is that of the step which has it") {
     const auto shared = [](const std::string& loads) {
       return Solved("[values]\nservice = 1.4\n" + chain("\"=values.service\"") + end(loads)).errors();
     };
@@ -167,7 +167,7 @@ TEST_SUITE("shaft loads") {
     CHECK(contains(shared("F = \"=values.service*chain.F_W\"\nT = \"0 N*m\""), "twice"));
   }
 
-  TEST_CASE("the power of a train holds what its torque does") {
+  TEST_CASE("the power of a train includes the factors of its torque") {
     const std::string train =
         chain("1.4") +
         "[train]\ncalculator = \"drive.train\"\nT_1 = \"=chain.shaft_2.T\"\nn_1 = \"30 rpm\"\n"
@@ -179,7 +179,7 @@ TEST_SUITE("shaft loads") {
     CHECK(Solved(train + "1\n").errors() == "");
   }
 
-  TEST_CASE("a shaft takes what sits on it whole, with its service factor") {
+  TEST_CASE("a shaft takes a mounted component whole, with its service factor") {
     const Solved taken(chain("1.4") + end("load = \"=chain.shaft_2\""));
     REQUIRE_MESSAGE(taken.errors().empty(), taken.errors());
     CHECK(taken.value("end.F") == doctest::Approx(taken.value("chain.F_W")));
@@ -189,7 +189,7 @@ TEST_SUITE("shaft loads") {
     CHECK_MESSAGE(contains(twice.errors(), "K_A would be applied twice"), twice.errors());
   }
 
-  TEST_CASE("a force that is taken without its torque leaves that not judged") {
+  TEST_CASE("a force that is taken without its torque leaves the torque not assessed") {
     const auto other_loads = [](const std::string& source, const std::string& loads) {
       const Solved solved(source + end(loads));
       REQUIRE_MESSAGE(solved.errors().empty(), solved.errors());
@@ -221,7 +221,7 @@ TEST_SUITE("shaft loads") {
     CHECK(other_loads(gears, "F = \"=sqrt(gears.F_x2^2 + gears.F_y2^2)\"\nT = \"=gears.T_2\"").state == State::open);
   }
 
-  TEST_CASE("what is typed beside a record stays") {
+  TEST_CASE("a typed value next to a record is kept") {
     const Solved typed(chain("1.4") + end("load = \"=chain.shaft_2\"\nT = \"900 N*m\""));
     REQUIRE_MESSAGE(typed.errors().empty(), typed.errors());
     CHECK(typed.value("end.T") == 900.0);
@@ -230,7 +230,7 @@ TEST_SUITE("shaft loads") {
     CHECK_MESSAGE(told == "taken from chain.shaft_2: F, d_f, b_r; given here and not taken: T", told);
   }
 
-  TEST_CASE("torque and tooth forces of a gear come together, of a helical one also the axial force") {
+  TEST_CASE("torque and tooth forces of a gear come together, of a helical one including the axial force") {
     const Solved spur(gears + end("load = \"=gears.gear_2\""));
     REQUIRE_MESSAGE(spur.errors().empty(), spur.errors());
     CHECK(spur.value("end.T") == doctest::Approx(60.0 * 57.0 / 20.0));
@@ -256,7 +256,7 @@ TEST_SUITE("shaft loads") {
     CHECK(torsion.value("end.F") == doctest::Approx(spur.value("end.F")));
   }
 
-  TEST_CASE("loads that a record leaves open are not none") {
+  TEST_CASE("loads that a record leaves open are not zero") {
     const std::string unloaded =
         "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nb = \"25 mm\"\n";
     for (const std::string& shaft :
@@ -275,7 +275,7 @@ TEST_SUITE("shaft loads") {
     }
   }
 
-  TEST_CASE("a V-belt that was picked is checked whole, and follows the power") {
+  TEST_CASE("a V-belt that was selected is checked completely, and follows the power") {
     const auto drive = [](const std::string& P) {
       return "[pick]\ncalculator = \"belt.v_sizing\"\nbasis = \"optibelt\"\nP = \"" + P +
              "\"\nK_A = 1.2\nn_1 = \"1460 rpm\"\nn_2_set = \"730 rpm\"\na_set = \"600 mm\"\n"
@@ -293,7 +293,7 @@ TEST_SUITE("shaft loads") {
     CHECK(Solved(drive("22 kW")).value("end.T") > 1.9 * Solved(drive("11 kW")).value("end.T"));
   }
 
-  TEST_CASE("a record that has nothing for the step, and what is no record, is refused") {
+  TEST_CASE("a record without data for the step, and a value that is not a record, are refused") {
     CHECK(contains(Solved(chain("1.4") + end("load = \"=chain.F_W\"")).errors(),
                    "'load' takes a record, and 'chain.F_W' is a number"));
     CHECK(

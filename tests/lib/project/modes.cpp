@@ -27,7 +27,7 @@ const std::string rod =
 }  // namespace
 
 TEST_SUITE("project modes") {
-  TEST_CASE("a load without a strength is not judged, and what would judge it is named") {
+  TEST_CASE("a load without a strength is not assessed, and the missing input is named") {
     Solved bare(gears), judged(gears + strength), one(gears + "sigma_adm_1 = \"200 MPa\"\n");
     CHECK(bare.mode("gears.root_1").state == State::not_judged);
     CHECK(bare.mode("gears.root_1").wants == "sigma_adm_1");
@@ -38,7 +38,7 @@ TEST_SUITE("project modes") {
     CHECK(account::overall(project::modes(judged.project)) == State::not_judged);  // pitting
   }
 
-  TEST_CASE("a limit without the value that it compares with names the input") {
+  TEST_CASE("a limit without the value that it compares names the input") {
     Solved belts(
         "[belts]\ncalculator = \"belt.grooved\"\nP = \"150 W\"\nn_1 = \"1400 rpm\"\nd_1 = \"80 mm\"\nd_2 = \"160 mm\"\n"
         "a = \"300 mm\"\nmu = 0.4\nd_b = \"6 mm\"\nrho = \"1200 kg/m^3\"\nsigma_adm = \"4 MPa\"\nd_min = \"60 mm\"\n");
@@ -46,11 +46,11 @@ TEST_SUITE("project modes") {
     CHECK(account::reason(belts.mode("belts.speed")).text() == "give v_max");
   }
 
-  TEST_CASE("without a load nothing of strength applies") {
+  TEST_CASE("without a load no strength mode applies") {
     CHECK_FALSE(Solved(gears.substr(0, gears.find("T_1"))).has("gears.root_1"));
   }
 
-  TEST_CASE("the user answers for what nothing judges, and never for a failure") {
+  TEST_CASE("the user accepts modes that nothing assesses, and never a failure") {
     const std::string reason = "accept.pitting_1 = \"rated by the maker, drawing 12\"\n";
     Solved accepted(gears + strength + reason);
     CHECK(accepted.mode("gears.pitting_1").state == State::accepted);
@@ -64,7 +64,7 @@ TEST_SUITE("project modes") {
     CHECK(contains(Solved(gears + "accept = \"pitting_1\"\n").messages(), "is a table of reasons, not a text"));
   }
 
-  TEST_CASE("a torque that is typed may stand still, one from gears turns, and brings their forces") {
+  TEST_CASE("a typed torque may be static, one from gears rotates, and brings their forces") {
     Solved typed(axle + "T = \"100 N*m\"\n"), taken(gears + strength + axle + "T = \"=gears.T_2\"\n");
     CHECK(account::overall(project::modes(typed.project)) == State::pass);  // beside what is open
     CHECK(typed.mode("axle.fatigue").state == State::open);
@@ -73,7 +73,7 @@ TEST_SUITE("project modes") {
     CHECK(taken.mode("axle.bending").state == State::not_covered);
   }
 
-  TEST_CASE("a link's force comes with its bending, which a column of force alone has not judged") {
+  TEST_CASE("a link's force comes with its bending, which a column under a force alone does not assess") {
     Solved column(press_of_heavy_rod + rod + "N = \"=press.links.rod.N\"\n");
     REQUIRE_MESSAGE(!has_errors(column.issues), column.messages());
     CHECK(column.mode("rod.buckling").state == State::pass);
@@ -82,7 +82,7 @@ TEST_SUITE("project modes") {
     CHECK_FALSE(contains(account::reason(column.mode("rod.lateral")).text(), "press.links.rod.N"));
   }
 
-  TEST_CASE("a magnitude is no value for a load whose sign decides, unless its sign is said") {
+  TEST_CASE("a magnitude is refused for a load whose sign decides, unless its sign is given") {
     CHECK(contains(Solved(press_of_heavy_rod + rod + "N = \"=peak(press.links.rod.N)\"\n").messages(),
                    "the sign of 'N' decides, and 'peak' gives a magnitude"));
     CHECK(contains(Solved(press_of_heavy_rod + rod + "N = \"=2*abs(press.links.rod.N)\"\n").messages(),
@@ -100,7 +100,7 @@ TEST_SUITE("project modes") {
     CHECK_FALSE(contains(account::reason(taken.mode("press.strength")).text(), " rod,"));
   }
 
-  TEST_CASE("an acceptance that has no effect is told, with what the mode is in its place") {
+  TEST_CASE("an acceptance without effect is reported, with the state of the mode") {
     const auto warnings = [](const std::string& text) {
       std::string all;
       const Solved solved(text);
@@ -118,20 +118,20 @@ TEST_SUITE("project modes") {
           "accept.yield has no effect: yield: no result, which cannot be accepted\n");
   }
 
-  TEST_CASE("a step without results for want of an input has not passed") {
+  TEST_CASE("a step without results because of a missing input has not passed") {
     Solved step(axle + test::no_torque + test::relay);
     CHECK(step.mode("axle.inputs").state == State::not_available);
     CHECK(account::worst(project::modes(step.project)) == State::not_available);
   }
 
-  TEST_CASE("a pass is never said without what it covers") {
+  TEST_CASE("a pass is never reported without its modes") {
     CHECK(contains(account::scope(project::modes(Solved(gears + strength).project)).text(), "; pass: gears."));
     CHECK(account::scope({}).text() == "no failure mode is assessed here");
     CHECK(account::brief_scope({}).text() == "no failure mode is assessed here");
     CHECK(account::overall({}) == State::open);
   }
 
-  TEST_CASE("below a list many passing or open modes are counted, and what needs a hand is named") {
+  TEST_CASE("below a list many passing or open modes are counted, and those that need input are named") {
     account::Modes modes;
     const auto add = [&](State state, const std::string& id) {
       account::Mode mode;
@@ -150,13 +150,13 @@ TEST_SUITE("project modes") {
           "modes listed above; not considered: 5 failure modes listed above");
   }
 
-  TEST_CASE("customs that an input breaks stand with its step") {
+  TEST_CASE("departures from common practice are shown with the step") {
     Solved odd(axle + "T = \"100 N*m\"\nK_A = 9\n");
     REQUIRE(odd.project.steps[0]->account().warnings.size() == 1);
     CHECK(contains(odd.project.steps[0]->account().warnings[0].text(), "K_A"));
   }
 
-  TEST_CASE("a typed input that no result depends on is told") {
+  TEST_CASE("a typed input that no result depends on is reported") {
     const std::string unloaded = gears.substr(0, gears.find("T_1"));
     CHECK_FALSE(contains(Solved(unloaded).messages(), "no effect"));
     CHECK(contains(Solved(unloaded + "K_A = 1.5\n").messages(), "'K_A' has no effect here"));
@@ -173,7 +173,7 @@ TEST_SUITE("project unused") {
       "[m]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"60 mm\"\nl = \"200 mm\"\n"
       "crank = { speed = \"3000 rpm\", positions = 24 }\nlinks.slider = { mass = \"0.4 kg\" }\n";
 
-  TEST_CASE("a typed number or word that no result depends on is told") {
+  TEST_CASE("a typed number or word that no result depends on is reported") {
     const auto says = [&](const std::string& more) { return Solved(bar + "P = \"5 kN\"\n" + more).messages(); };
     CHECK_FALSE(contains(says("a_R = 1e-4\n"), "no effect"));  // it moves a row of another method
     CHECK(contains(says("gamma_M1 = 1.1\n"), "'gamma_M1' has no effect here"));
@@ -181,20 +181,20 @@ TEST_SUITE("project unused") {
     CHECK_FALSE(contains(says("e_y = \"3 mm\"\n"), "no effect"));  // its mode is not judged, which says it
   }
 
-  TEST_CASE("where a check has no value nothing is said of what would move it") {
+  TEST_CASE("where a check has no value its dependence is not reported") {
     const std::string below = "sigma_P = \"190 MPa\"\nP = \"10 kN\"\n";  // Euler is not covered there
     std::string euler = bar;
     euler.replace(euler.find("johnson"), 7, "euler");
     CHECK_FALSE(contains(Solved(euler + below).messages(), "no effect"));
   }
 
-  TEST_CASE("over a series an input is tried at several positions") {
+  TEST_CASE("over a series an input is varied at several positions") {
     const std::string moving = engine + bar + "N = \"=m.links.rod.N\"\n";
     CHECK(contains(Solved(moving + "gamma_M1 = 1.1\n").messages(), "'gamma_M1' has no effect here"));
     CHECK_FALSE(contains(Solved(moving + "n_t = 2\n").messages(), "no effect"));  // pulled in half of them
   }
 
-  TEST_CASE("inputs inside of lists are tried too, also those that come from expressions") {
+  TEST_CASE("inputs inside lists are varied too, also those that come from expressions") {
     const std::string lift =
         "[l]\ncalculator = \"dynamics.lift\"\ns = \"2 m\"\nweights = [{ m = \"60 kg\", i = -1 }, { m = "
         "\"100 kg\", mu = 0.1";
@@ -205,7 +205,7 @@ TEST_SUITE("project unused") {
                    "'gamma_M1' has no effect here"));
   }
 
-  TEST_CASE("a word that a rule asks for is not told, though no other changes a result") {
+  TEST_CASE("a word that a rule requires is not reported, though no other word changes a result") {
     const Solved belt(
         "[b]\ncalculator = \"belt.v\"\nbasis = \"iso\"\nsection = \"C\"\nbelt_class = \"III\"\nP = \"10 kW\"\nn_1 = "
         "\"800 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"200 mm\"\nL = \"3750 mm\"\n");
@@ -214,7 +214,7 @@ TEST_SUITE("project unused") {
 }
 
 TEST_SUITE("project angles") {
-  TEST_CASE("inside of expressions as outside an angle is no bare number, and an angular velocity no frequency") {
+  TEST_CASE("inside expressions, too, an angle is not a bare number, and an angular velocity not a frequency") {
     const auto says = [](const std::string& text) { return Solved(text).messages(); };
     const std::string motion = "[m]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";
     CHECK(contains(says(motion + "omega = \"=50 Hz\"\n"), "'omega' takes a value of angular velocity"));
@@ -228,7 +228,7 @@ TEST_SUITE("project angles") {
     CHECK_FALSE(contains(says(motion + "omega = \"=10 rad/s*sin(30 deg)\"\n"), "bare number"));
   }
 
-  TEST_CASE("what a part leaves to another calculator comes out as there, where its record is taken whole") {
+  TEST_CASE("a mode that is left to another calculator has its state there, where its record is taken whole") {
     const std::string turning = axle + "d = \"40 mm\"\nT = \"100 N*m\"\nK_A = 1.5\n";
     const std::string life = "[life]\ncalculator = \"fatigue.cycle\"\nr = -1\n";
     const std::string limit = "sigma_D = \"60 MPa\"\nS_D = 1.5\n", taken = "cycle = \"=axle.cycle\"\n";
@@ -247,7 +247,7 @@ TEST_SUITE("project angles") {
     CHECK(contains(account::reason(Solved(turning + life + taken).mode("axle.fatigue")).text(), "give sigma_D"));
   }
 
-  TEST_CASE("a cycle that stands still settles nothing for a shaft whose load varies") {
+  TEST_CASE("a cycle without variation does not assess a shaft whose load varies") {
     const std::string turning = axle + "d = \"40 mm\"\nT = \"100 N*m\"\nK_A = 1.5\n";
     const std::string still =
         "[life]\ncalculator = \"fatigue.cycle\"\nr = 1\nsigma_D = \"60 MPa\"\nS_D = 1.5\ncycle = "
@@ -255,7 +255,7 @@ TEST_SUITE("project angles") {
     CHECK(Solved(turning + still).mode("axle.fatigue").state == State::not_judged);
   }
 
-  TEST_CASE("a record that is taken and then changed settles nothing") {
+  TEST_CASE("a record that is taken and then changed assesses nothing") {
     const std::string turning = axle + "d = \"40 mm\"\nT = \"100 N*m\"\nK_A = 1.5\n";
     const std::string life =
         "[life]\ncalculator = \"fatigue.cycle\"\nr = -1\nsigma_D = \"60 MPa\"\nS_D = 1.5\n"
@@ -264,8 +264,7 @@ TEST_SUITE("project angles") {
     CHECK(Solved(turning + life + "stress = \"normal\"\n").mode("axle.fatigue").state == State::not_judged);
   }
 
-  TEST_CASE(
-      "the number of teeth of a planetary set are judged by the pairs that take its meshes, the planet's by both") {
+  TEST_CASE("the tooth numbers of a planetary set are assessed by the pairs that take its meshes, the planet by both") {
     const std::string set =
         "[set]\ncalculator = \"gear.planetary\"\nz_s = 24\nz_p = 24\nN_p = 3\nfixed = \"ring\"\nn_s = \"1500 rpm\"\n"
         "T_s = \"90 N*m\"\nm_n = \"2.5 mm\"\n";
@@ -292,7 +291,7 @@ TEST_SUITE("project angles") {
     CHECK(both.value("with_sun.F_t") == doctest::Approx(both.value("set.F_t")));
   }
 
-  TEST_CASE("a judge that knows less of the service does not take back what the part knows") {
+  TEST_CASE("a step with less data on the service does not override what the part itself states") {
     const std::string shaft =
         "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\npieces = [{ l = \"200 "
         "mm\", d = "

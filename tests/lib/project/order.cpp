@@ -27,7 +27,7 @@ TEST_SUITE("project order") {
     CHECK(order_of(step("b", "1 N*m") + step("a", "1 N*m")) == std::vector<std::string>{"b", "a"});
   }
 
-  TEST_CASE("a circle of references is told with its members") {
+  TEST_CASE("a circle of references is reported with its members") {
     CHECK(
         issues_of(step("a", "=1 N*m + b.M_max") + step("b", "=c.M_max") + step("c", "=a.M_max")) ==
         "a.toml:1:2: error: circular reference between steps: a -> b -> c -> a\n1 | [a]\n  |  ^\n"

@@ -11,7 +11,7 @@ using namespace loadpath;
 using namespace loadpath::test;
 
 TEST_SUITE("project") {
-  TEST_CASE("a step without a calculator is told how to name one") {
+  TEST_CASE("a step without a calculator is reported with how to name one") {
     CHECK(issues_of("[axle]\nT = \"9 N*m\"\n") == R"(a.toml:1:2: error: the step 'axle' has no calculator
 1 | [axle]
   |  ^^^^
@@ -19,7 +19,7 @@ TEST_SUITE("project") {
 )");
   }
 
-  TEST_CASE("an unknown calculator is told with the nearest one") {
+  TEST_CASE("an unknown calculator is reported with the nearest one") {
     CHECK(issues_of("[axle]\ncalculator = \"shaft.torsoin\"\n") ==
           R"(a.toml:2:15: error: unknown calculator 'shaft.torsoin'
 2 | calculator = "shaft.torsoin"
@@ -101,7 +101,7 @@ TEST_SUITE("project") {
               .ends_with("; to have it found: d = \"?\"\n"));
   }
 
-  TEST_CASE("a key outside of a step is refused") {
+  TEST_CASE("a key outside a step is refused") {
     CHECK(issues_of("T = \"9 N*m\"\n") == R"(a.toml:1:1: error: 'T' is outside of a step
 1 | T = "9 N*m"
   | ^
@@ -148,7 +148,7 @@ a.toml:3:10: error: 'project.author' takes a text, not a number
     CHECK(value(project, "b.M_max") == doctest::Approx(9.0));
   }
 
-  TEST_CASE("results are shown in the unit that the step asks for") {
+  TEST_CASE("results are shown in the unit that the step requests") {
     const auto project = solved(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\ndisplay = { d_min = \"in\" }\n");
     const auto& results = project.find("axle")->account().results;
     const auto d_min = std::find_if(results.begin(), results.end(), [](const auto& e) { return e.path == "d_min"; });
@@ -165,7 +165,7 @@ a.toml:5:27: error: 'axle' has no result 'd_mn'
 )");
   }
 
-  TEST_CASE("values without what is only looked at are the same values") {
+  TEST_CASE("values without display-only data are the same values") {
     const std::string text =
         bar_that_cannot_turn(36) + "[axle]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\n" + "tau_adm = \"30 MPa\"\n";
     const auto all = told(text).project;
@@ -192,7 +192,7 @@ a.toml:5:27: error: 'axle' has no result 'd_mn'
     }
   }
 
-  TEST_CASE("series that are not wanted have no values, and what other steps take of them is the same") {
+  TEST_CASE("series that are not requested have no values, and what other steps take of them is the same") {
     const std::string text =
         replaced(bar_that_cannot_turn(36), "positions = 36", "positions = 36, at = [\"30 deg\", \"60 deg\"]");
     const std::string two =
@@ -214,7 +214,7 @@ a.toml:5:27: error: 'axle' has no result 'd_mn'
     for (const char* path : {"bar.links.b.N", "axle.d_min", "axle.u_v"}) CHECK(values(some, path) == values(all, path));
   }
 
-  TEST_CASE("an element is known by its number where it has a name too") {
+  TEST_CASE("an element is found by its number even if it has a name") {
     const auto project = solved(
         "[course]\ncalculator = \"belt.course\"\npulleys = [{ name = \"a\", x = \"0 mm\", y = \"0 mm\", d = \"100 mm\" "
         "}, "

@@ -22,7 +22,7 @@ const std::string bar =
 }  // namespace
 
 TEST_SUITE("references") {
-  TEST_CASE("a count follows another, and a sum of them") {
+  TEST_CASE("a count follows another, and a sum of counts") {
     const Solved pair(gears +
                       "[next]\ncalculator = \"gear.pair\"\nz_1 = \"=gears.z_2\"\nz_2 = \"=gears.z_1 + 20\"\n"
                       "m_n = \"=gears.m_n\"\n");
@@ -32,7 +32,7 @@ TEST_SUITE("references") {
     CHECK(pair.origin("next", "z_1") == "= gears.z_2");
   }
 
-  TEST_CASE("what is not an integer is no count, and nothing is rounded") {
+  TEST_CASE("a value that is not an integer is not a count, and nothing is rounded") {
     const Solved pair(gears + "[next]\ncalculator = \"gear.pair\"\nz_1 = \"=gears.z_2/2\"\nz_2 = 40\nm_n = \"2 mm\"\n");
     CHECK_MESSAGE(contains(pair.messages(), "z_1 = 28.5 is not an integer"), pair.messages());
     const Solved length(gears + "[next]\ncalculator = \"gear.pair\"\nz_1 = \"=gears.m_n\"\nz_2 = 40\nm_n = \"2 mm\"\n");
@@ -62,7 +62,7 @@ TEST_SUITE("references") {
         number.messages());
   }
 
-  TEST_CASE("words are no numbers to calculate with") {
+  TEST_CASE("words are not numbers to calculate with") {
     const Solved sum("[first]\n" + bar + "section = \"=2*first.section\"\nmaterial = \"S235JR\"\n");
     CHECK_MESSAGE(contains(sum.messages(), "'section' takes the name of a row"), sum.messages());
     const Solved method("[a]\n" + bar +
@@ -71,7 +71,7 @@ TEST_SUITE("references") {
     CHECK_MESSAGE(contains(method.messages(), "'method' is not a number"), method.messages());
   }
 
-  TEST_CASE("the section that the search for the lightest has found is checked by itself") {
+  TEST_CASE("the section found by the search for the lightest is checked by itself") {
     const Solved found(
         "[pick]\ncalculator = \"column.lightest\"\nfamilies = [\"HEA\"]\nP = \"100 kN\"\nl = \"3 m\"\n"
         "ends = \"pinned_pinned\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1.4\nmaterial = \"S235JR\"\n"
@@ -93,7 +93,7 @@ TEST_SUITE("references") {
     CHECK_MESSAGE(has_errors(lists.issues), lists.messages());
   }
 
-  TEST_CASE("unknown steps, results and circles are told") {
+  TEST_CASE("unknown steps, results and circles are reported") {
     CHECK(contains(Solved("[a]\n" + bar + "section = \"=pik.section\"\nmaterial = \"S235JR\"\n").messages(),
                    "unknown step 'pik'"));
     CHECK(contains(Solved(gears + "[a]\n" + bar + "section = \"=gears.section\"\nmaterial = \"S235JR\"\n").messages(),
@@ -119,7 +119,7 @@ TEST_SUITE("references") {
     CHECK(has_errors(sought.issues));  // no row yet, and so no Y
   }
 
-  TEST_CASE("the first row that passes is found, and what its forerunner fails by") {
+  TEST_CASE("the first row that passes is found, and why the one before it fails") {
     const Solved found("[pick]\n" + bar + "section = \"?\"\nmaterial = \"S235JR\"\n");
     REQUIRE_MESSAGE(!has_errors(found.issues), found.messages());
     CHECK(found.value("pick.u") <= 1.0);
@@ -159,7 +159,7 @@ TEST_SUITE("largest values") {
     CHECK(longest.value("strut.l") == doctest::Approx(3.0).epsilon(1e-3));
   }
 
-  TEST_CASE("the torque that a shaft carries, by its own formula; and where nothing limits it") {
+  TEST_CASE("the torque that a shaft transmits, by its own formula; and a search without a limit") {
     const std::string shaft = "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"?\"\nd = \"40 mm\"\n";
     const Solved torque(shaft + "tau_adm = \"30 MPa\"\n");
     REQUIRE_MESSAGE(!has_errors(torque.issues), torque.messages());
@@ -167,7 +167,7 @@ TEST_SUITE("largest values") {
     CHECK(has_errors(Solved(shaft).issues));
   }
 
-  TEST_CASE("a diameter of a column is searched for where it is asked for") {
+  TEST_CASE("a diameter of a column is searched for on request") {
     const Solved round(
         "[round]\ncalculator = \"column.buckling\"\nP = \"100 kN\"\nl = \"1 m\"\nd = \"?\"\n"
         "ends = \"pinned_pinned\"\nmaterial = \"S235JR\"\nmethod = \"johnson\"\nn_st = 3\n");
@@ -219,7 +219,7 @@ TEST_SUITE("largest values") {
     CHECK_MESSAGE(contains(unsafe.errors(), "n_st"), unsafe.errors());
   }
 
-  TEST_CASE("what was found tells what is not judged with it") {
+  TEST_CASE("the found value is reported with the modes that are not assessed") {
     const Solved pulled(
         "[bar]\ncalculator = \"column.buckling\"\nl = \"1 m\"\nends = \"pinned_pinned\"\nmaterial = \"S355\"\n"
         "d = \"?\"\nN = \"25 kN\"\nmethod = \"johnson\"\nn_st = 3\n");
@@ -239,7 +239,7 @@ TEST_SUITE("largest values") {
 }
 
 TEST_SUITE("shared values") {
-  TEST_CASE("a value that stands alone is read by the field that takes it") {
+  TEST_CASE("a value that is the whole text is read by the field that takes it") {
     const Solved shared(
         "[values]\nmodule = \"2.5 mm\"\nteeth = 20\nsteel = \"S235JR\"\nheld = \"pinned_pinned\"\n"
         "[gears]\ncalculator = \"gear.pair\"\nz_1 = \"=values.teeth\"\nz_2 = 57\nm_n = \"=values.module\"\n"
@@ -270,7 +270,7 @@ TEST_SUITE("shared values") {
     CHECK_MESSAGE(contains(unit.messages(), "did you mean 'kW'?"), unit.messages());
   }
 
-  TEST_CASE("revolutions are meant by a field that takes 120 1/min, and by no expression") {
+  TEST_CASE("a field accepts 120 1/min as revolutions, an expression does not") {
     const std::string belt =
         "[belt]\ncalculator = \"belt.course\"\npulleys = [{ x = \"0 mm\", y = \"0 mm\", d = \"160 mm\" }, "
         "{ x = \"600 mm\", y = \"0 mm\", d = \"250 mm\" }]\n";
@@ -299,7 +299,7 @@ TEST_SUITE("shared values") {
     CHECK_MESSAGE(!has_errors(list.issues), list.messages());
   }
 
-  TEST_CASE("values in values are bounded, and a circle through lists is one") {
+  TEST_CASE("values in values are limited, and a circle through lists is one") {
     std::string doubled = "[values]\na0 = [\"1 mm\"]\n";
     for (int i = 1; i <= 60; ++i) {
       const std::string last = "\"=values.a" + std::to_string(i - 1) + "\"";
@@ -318,7 +318,7 @@ TEST_SUITE("shared values") {
     CHECK_MESSAGE(!contains(unknown.messages(), "nothing refers"), unknown.messages());
   }
 
-  TEST_CASE("what is wrong with values is told where they stand") {
+  TEST_CASE("errors in values are reported at their place") {
     CHECK(contains(Solved("[values]\nm = \"2 mm\"\n[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = "
                           "\"=values.n\"\n")
                        .messages(),
@@ -371,7 +371,7 @@ torques = "=line.torques"
     CHECK(named.value("line.segments[2].d_bore") == 1e-3);
   }
 
-  TEST_CASE("a length brings no loads along") {
+  TEST_CASE("a length brings no loads with it") {
     const Solved beside(
         gears +
         "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"?\"\nload = \"=gears.gear_2\"\n"
@@ -380,13 +380,13 @@ torques = "=line.torques"
     CHECK(beside.project.find("neighbour")->loads().left.empty());
   }
 
-  TEST_CASE("a record that is mistyped is told with the one that was meant") {
+  TEST_CASE("a misspelt record is reported with the intended one") {
     const Solved mistyped(gears +
                           "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nload = \"=gears.gear_3\"\n");
     CHECK_MESSAGE(contains(mistyped.errors(), "did you mean 'gears.gear_"), mistyped.errors());
   }
 
-  TEST_CASE("what a record cannot give is told at the record") {
+  TEST_CASE("what a record cannot give is reported at the record") {
     const Solved wrong(
         "[pick]\ncalculator = \"belt.v_sizing\"\nbasis = \"optibelt\"\nP = \"11 kW\"\nK_A = 1.2\nn_1 = \"1460 rpm\"\n"
         "n_2_set = \"730 rpm\"\na_set = \"600 mm\"\n"
@@ -394,7 +394,7 @@ torques = "=line.torques"
     CHECK_MESSAGE(contains(wrong.errors(), "pick.best"), wrong.errors());
   }
 
-  TEST_CASE("an error of a step makes no others in those that take from it") {
+  TEST_CASE("an error of a step causes no others in those that take from it") {
     const std::string taker =
         "[shaft]\ncalculator = \"shaft.torsion\"\nload = \"=gears.gear_1\"\ntau_adm = \"40 MPa\"\n";
     const auto lines = [&](std::string text) {
@@ -408,7 +408,7 @@ torques = "=line.torques"
     CHECK(contains(Solved("[value]\nT = \"1 N*m\"\n").errors(), "did you mean 'values'?"));
   }
 
-  TEST_CASE("a bearing that the shaft does not have is told with those that it has") {
+  TEST_CASE("a bearing that the shaft does not have is reported with those that it has") {
     const std::string text =
         "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\npieces = [{ l = \"200 mm\", d = \"40 mm\" }]\n"
         "supports = [{ x = \"45 mm\", holds = \"both\" }, { x = \"185 mm\" }]\n"
@@ -419,7 +419,7 @@ torques = "=line.torques"
     CHECK(Solved(text + "[1]\"\n").errors() == "");
   }
 
-  TEST_CASE("a force whose sign is no tension is no normal force without a sign") {
+  TEST_CASE("a force whose sign does not mean tension is not a normal force without a sign") {
     const std::string crank =
         "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"50 mm\"\nl = \"500 mm\"\n"
         "crank = { speed = \"60 rpm\", positions = 12 }\nloads = [{ link = \"slider\", at = \"B\", F_x = \"-12 kN\" "

@@ -25,12 +25,12 @@ TEST_SUITE("project search") {
     CHECK(account::worst(project::verdicts(project)) == account::State::pass);
   }
 
-  TEST_CASE("a size that is missing is searched for in the field's own stock, as '?' is") {
+  TEST_CASE("a size that is missing is searched for in the field's own stock, like '?'") {
     CHECK(value(solved(sized("")), "axle.d") == doctest::Approx(0.080));
     CHECK(value(solved(sized("d = \"?\"\n")), "axle.d") == doctest::Approx(0.080));
   }
 
-  TEST_CASE("the account says that a size was found, and in which stock") {
+  TEST_CASE("the account states that a size was found, and in which stock") {
     const auto project = solved(sized("d = { stock = \"R20\" }\n"));
     for (const account::Entry& e : project.find("axle")->account().inputs) {
       if (e.path == "d")
@@ -57,7 +57,7 @@ TEST_SUITE("project search") {
     }
   }
 
-  TEST_CASE("no size of the stock passes: there is no result, and the nearest one is told") {
+  TEST_CASE("no size of the stock passes: there is no result, and the nearest one is reported") {
     const auto project = solved(axle + "T = \"1e9 N*m\"\ntau_adm = \"30 MPa\"\nd = { stock = \"shaft\" }\n");
     CHECK(std::isnan(value(project, "axle.d")));
     CHECK(account::worst(project::verdicts(project)) == account::State::not_available);
@@ -87,7 +87,7 @@ TEST_SUITE("project search") {
     }
   }
 
-  TEST_CASE("a candidate that does not fit is listed so, whatever its strength; a bound without an end as at least") {
+  TEST_CASE("a candidate that does not fit is listed so, whatever its strength; an open bound reads at least") {
     const auto project = solved(
         "[key]\ncalculator = \"shaft.key\"\nT = \"400 N*m\"\ntorque = \"one_way\"\nd = \"48 mm\"\nd_f = \"70 mm\"\nh_t "
         "= \"10 mm\"\nkey = \"?\"\nl = \"36 mm\"\nl_n = \"40 mm\"\nR_e_1 = \"540 MPa\"\nR_e_2 = \"250 MPa\"\nR_e_k = "
@@ -108,7 +108,7 @@ TEST_SUITE("project search") {
     CHECK(std::find(fits.begin(), fits.end(), "14x9") == fits.end());
   }
 
-  TEST_CASE("no size of the stock keeps the rules: nothing is taken") {
+  TEST_CASE("no size of the stock satisfies the rules: nothing is taken") {
     CHECK(issues_of(sized("d_bore = \"260 mm\"\nd = { stock = \"bright\" }\n")) ==
           R"(a.toml:5:11: error: the bore must be smaller than the outer diameter of the shaft
 5 | d_bore = "260 mm"
@@ -133,7 +133,7 @@ TEST_SUITE("project search") {
     CHECK_MESSAGE(why.find("all others fail this too") != std::string::npos, why);
   }
 
-  TEST_CASE("an unknown stock is told with the nearest one") {
+  TEST_CASE("an unknown stock is reported with the nearest one") {
     CHECK(issues_of(sized("d = { stock = \"R41\" }\n")) == R"(a.toml:5:16: error: unknown stock 'R41'
 5 | d = { stock = "R41" }
   |                ^^^
@@ -149,7 +149,7 @@ TEST_SUITE("project search") {
           "a.toml:5:7: " + rule + "5 | l = { stock = \"R20\" }\n  |       ^^^^^\n" + help);
   }
 
-  TEST_CASE("where no check is asked for, any size would pass: none is taken") {
+  TEST_CASE("without a required check any size would pass: none is taken") {
     const std::string pair = "[pair]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 40\n";
     CHECK(issues_of(pair) == R"(a.toml:1:2: error: 'm_n' cannot be sized: no check is active
 1 | [pair]
@@ -159,7 +159,7 @@ TEST_SUITE("project search") {
     CHECK(told(pair + "m_n = \"2 mm\"\n").issues.empty());
   }
 
-  TEST_CASE("what passes beyond its formulas is not taken: the next size that they cover is") {
+  TEST_CASE("a size that passes outside the range of the formulas is not taken: the next size inside it is") {
     const auto project = solved(
         "[pair]\ncalculator = \"gear.pair\"\nz_1 = 21\nz_2 = 60\na_w = \"122 mm\"\nT_1 = \"49.4 N*m\"\nb = \"40 mm\"\n"
         "sigma_adm_1 = \"180 MPa\"\nsigma_adm_2 = \"160 MPa\"\n");

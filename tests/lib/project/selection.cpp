@@ -40,7 +40,7 @@ value = "press.drive.M"
 }  // namespace
 
 TEST_SUITE("part of a project") {
-  TEST_CASE("the steps of a calculator come with all that they refer to, at any depth, in the order of the file") {
+  TEST_CASE("the steps of a calculator are selected with all that they refer to, in the order of the file") {
     CHECK(steps_of(text, "mechanism.planar") == "project press sized other arm");
     CHECK(steps_of(text, "shaft.torsion") == "project shaft_a press sized other arm");
     CHECK(steps_of(text, "shaft.overhung") == "project sized other");
@@ -52,7 +52,7 @@ TEST_SUITE("part of a project") {
     CHECK(steps_of("[a]\ncalculator = \"x\"\nT = \"=b.T\"\n[b]\nT = \"=a.T\"\n", "x") == "a b");
   }
 
-  TEST_CASE("what is no expression leads nowhere") {
+  TEST_CASE("a text that is not an expression refers to nothing") {
     CHECK(steps_of("[a]\ncalculator = \"x\"\nT = \"=b.(T\"\n[b]\nT = 3\n", "x") == "a");
   }
 }

@@ -40,7 +40,7 @@ TEST_SUITE("series choice") {
     CHECK_FALSE(holds("", "drive.M"));
   }
 
-  TEST_CASE("* stands for any characters, none and points among them, ? for one") {
+  TEST_CASE("* matches any characters, none and points among them, ? matches one") {
     CHECK(holds("*", "drive.M"));
     CHECK(holds("links.*.N", "links.rod.N"));
     CHECK(holds("links.*", "links.rod.N"));
@@ -55,14 +55,14 @@ TEST_SUITE("series choice") {
     CHECK_FALSE(holds("*a*b*a", "banana"));
   }
 
-  TEST_CASE("several patterns choose what one of them fits") {
+  TEST_CASE("several patterns choose all series that one of them matches") {
     const SeriesChoice choice({"drive.M", "links.*.N"});
     CHECK(choice.holds("press", "links.rod.N"));
     CHECK(choice.holds("press", "drive.M"));
     CHECK_FALSE(choice.holds("press", "drive.P"));
   }
 
-  TEST_CASE("a pattern that fits no series is told with the nearest") {
+  TEST_CASE("a pattern that matches no series is reported with the nearest") {
     CHECK(said(press, "drive.M").empty());
     CHECK(said(press, "press.*.N").empty());
     CHECK(said(press, "drive.m") == "unknown series 'drive.m'; did you mean 'drive.M'?");
@@ -75,7 +75,7 @@ TEST_SUITE("series choice") {
           "unknown series 'zzzzzzzzz'; available: drive.*, joints.*, shafts.*, links.*, points.*, frame.*");
   }
 
-  TEST_CASE("a single value is no series, and where there are none that is said") {
+  TEST_CASE("a single value is not a series, and a step without series is reported") {
     CHECK(said(press, "joints.guide.stroke") ==
           "'joints.guide.stroke' is one value, not a series; leave it out: JSON lists every value");
     const std::string shaft = axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n";

@@ -45,7 +45,7 @@ const account::Verdict& verdict(const project::Project& project, const std::stri
 }  // namespace
 
 TEST_SUITE("project steps") {
-  TEST_CASE("a step that does not exist is told with the nearest one, or with all") {
+  TEST_CASE("a step that does not exist is reported with the nearest one, or with all") {
     const std::string source = "[crank]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n";
     CHECK(issues_of(source + axle + "T = \"=crnak.M_max\"\ntau_adm = \"30 MPa\"\n") ==
           R"says(a.toml:7:7: error: unknown step 'crnak'
@@ -61,7 +61,7 @@ TEST_SUITE("project steps") {
 )says");
   }
 
-  TEST_CASE("a result that does not exist is told with the nearest one") {
+  TEST_CASE("a result that does not exist is reported with the nearest one") {
     CHECK(issues_of(bar + axle + "T = \"=peak(bar.drive.N)\"\ntau_adm = \"30 MPa\"\n") ==
           R"says(a.toml:20:12: error: 'bar' has no result 'drive.N'
 20 | T = "=peak(bar.drive.N)"
@@ -94,7 +94,7 @@ TEST_SUITE("project steps") {
     CHECK(supports.find("standstill") == std::string::npos);
   }
 
-  TEST_CASE("values and tables that are misspelt are no steps") {
+  TEST_CASE("misspelt values and tables are not steps") {
     const auto said = [](const std::string& T) {
       return issues_of("[values]\nT = \"9 N*m\"\n" + axle + "T = \"" + T + "\"\ntau_adm = \"30 MPa\"\n");
     };
@@ -115,7 +115,7 @@ TEST_SUITE("project steps") {
     CHECK(value(project, "axle.M_max") == doctest::Approx(6000.0 / (2.0 * std::acos(-1.0))));
   }
 
-  TEST_CASE("a power over a frequency is the energy of a cycle and no moment") {
+  TEST_CASE("a power over a frequency is the energy of a cycle and not a moment") {
     const std::string strength = "tau_adm = \"30 MPa\"\n";
     CHECK(issues_of(axle + "T = \"=1.4*5.5 kW/(2 Hz)\"\n" + strength) ==
           R"says(a.toml:3:7: error: 'T' is a moment, but this expression is an energy
@@ -140,7 +140,7 @@ TEST_SUITE("project steps") {
     CHECK(value(project, "axle.M_max") == doctest::Approx(6000.0 / (2.0 * std::acos(-1.0))));
   }
 
-  TEST_CASE("a faulty expression is told at its character") {
+  TEST_CASE("a faulty expression is reported at its character") {
     CHECK(issues_of(axle + "T = \"= 3 N*m + \"\ntau_adm = \"30 MPa\"\n") ==
           R"says(a.toml:3:15: error: a value is missing at the end
 3 | T = "= 3 N*m + "
@@ -161,7 +161,7 @@ TEST_SUITE("project steps") {
 )says");
   }
 
-  TEST_CASE("series over unlike cycles do not meet, neither in an expression nor in a step") {
+  TEST_CASE("series over different cycles cannot be combined, neither in an expression nor in a step") {
     const std::string pin = "[pin]\ncalculator = \"shaft.overhung\"\na = \"50 mm\"\nsigma_adm = \"60 MPa\"\n";
     CHECK(
         issues_of(bar + other_bar() + pin + "F = \"=bar.joints.O.F\"\nT = \"=rod.drive.M\"\n") ==
@@ -177,7 +177,7 @@ TEST_SUITE("project steps") {
     CHECK(said.find("rod: crank angle") != std::string::npos);
   }
 
-  TEST_CASE("a computed value out of bounds is told at its expression") {
+  TEST_CASE("a computed value out of bounds is reported at its expression") {
     CHECK(issues_of(bar + axle + "T = \"=bar.drive.M\"\ntau_adm = \"=(peak(bar.drive.M) - 1 kN*m) / (1 m^3)\"\n") ==
           R"says(a.toml:21:13: error: tau_adm = -0.000995 MPa: must be > 0 MPa
 21 | tau_adm = "=(peak(bar.drive.M) - 1 kN*m) / (1 m^3)"
@@ -185,7 +185,7 @@ TEST_SUITE("project steps") {
 )says");
   }
 
-  TEST_CASE("a rule that computed values break is told at the field") {
+  TEST_CASE("a rule that computed values break is reported at the field") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nd = \"=2 * 10 mm\"\nd_bore = \"=3 * 10 mm\"\n") ==
           R"says(a.toml:6:11: error: the bore must be smaller than the outer diameter of the shaft
 6 | d_bore = "=3 * 10 mm"
@@ -193,7 +193,7 @@ TEST_SUITE("project steps") {
 )says");
   }
 
-  TEST_CASE("a step that is fed a series gives series, and its check is the worst of them") {
+  TEST_CASE("a step with a series as input gives series, and its check is the worst of them") {
     const auto project = solved(
         bar + "[axle]\ncalculator = \"shaft.torsion\"\nT = \"=bar.drive.M\"\ntau_adm = \"30 MPa\"\nd = \"20 mm\"\n");
     const Value* tau = project.value("axle.tau_max");
@@ -204,7 +204,7 @@ TEST_SUITE("project steps") {
     CHECK(*verdict(project, "axle", "u_tau").utilisation == doctest::Approx(largest / 30e6));
   }
 
-  TEST_CASE("what divides by zero is not available, with the input that it comes from") {
+  TEST_CASE("a division by zero is not available, with the input that it comes from") {
     const auto project = told(axle + no_torque + "tau_adm = \"30 MPa\"\n" + relay).project;
     const account::Verdict& v = verdict(project, "axle", "u_tau");
     CHECK(v.state == account::State::not_available);
@@ -212,12 +212,12 @@ TEST_SUITE("project steps") {
     CHECK(account::worst(project::verdicts(project)) == account::State::not_available);
   }
 
-  TEST_CASE("numbers beyond all measure come to a verdict, never to a pass") {
+  TEST_CASE("extreme numbers give a verdict, never a pass") {
     const auto project = told(axle + "T = \"=1e29 N*m\"\nK_A = \"=1e29\"\ntau_adm = \"30 MPa\"\n").project;
     CHECK(verdict(project, "axle", "u_tau").state != account::State::pass);
   }
 
-  TEST_CASE("inputs say where they come from, elements with names too") {
+  TEST_CASE("inputs state their origin, elements with names too") {
     const auto project = solved(bar);
     for (const account::Entry& e : project.find("bar")->account().inputs) {
       if (e.path == "loads.weight.F_y") CHECK(e.origin.text.text() == "given");
@@ -225,14 +225,14 @@ TEST_SUITE("project steps") {
     }
   }
 
-  TEST_CASE("with the moment of a drive comes the force of its joint") {
+  TEST_CASE("the moment of a drive comes with the force of its joint") {
     const auto project = told(bar + axle + "T = \"=peak(bar.drive.M)\"\ntau_adm = \"30 MPa\"\n").project;
     const account::Verdict& bending = verdict(project, "axle", "F_bend");
     CHECK(bending.state == account::State::not_covered);
     CHECK(std::get<account::Quantity>(bending.value).si == doctest::Approx(100.0));
   }
 
-  TEST_CASE("what is one thing for all loads takes no series of them") {
+  TEST_CASE("an input common to all loads takes no series of them") {
     const std::string press =
         "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"150 mm\"\n"
         "crank = { speed = \"60 rpm\", positions = 12 }\nlinks.slider.mass = \"5 kg\"\n";
@@ -250,7 +250,7 @@ TEST_SUITE("project steps") {
     }
   }
 
-  TEST_CASE("an element that has a name answers to its number too") {
+  TEST_CASE("a named element is also found by its number") {
     const ExampleStep course("belt.course", "");
     for (const auto& [number, name] : {std::pair{"[1]", "motor"}, {"[3]", "pump"}, {"[4]", "fan"}}) {
       const double by_name = course(std::string("pulleys.") + name + ".alpha");

@@ -61,7 +61,7 @@ TEST_SUITE("quantity") {
     }
   }
 
-  TEST_CASE("what has more digits than a double can tell is written as it is") {
+  TEST_CASE("a number with more digits than a double has is written unchanged") {
     CHECK(read(nearest_text(1.0 / 3.0, 1e-30)) == 1.0 / 3.0);
     CHECK(read(nearest_text(1e300, 1e-30)) == 1e300);
     CHECK(read(exact_text(1.0 / 3.0, 0.0)) == 1.0 / 3.0);

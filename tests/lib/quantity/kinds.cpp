@@ -21,7 +21,7 @@ Meant of_stress(const char* symbol, const char* meaning) {
 }  // namespace
 
 TEST_SUITE("quantity kinds") {
-  TEST_CASE("a stress is told by its meaning, else by its symbol") {
+  TEST_CASE("a stress is identified by its meaning, else by its symbol") {
     CHECK(of_stress("tau_max", "largest") == Meant::shear_stress);
     CHECK(of_stress("sigma_max", "maximum nominal stress") == Meant::normal_stress);
     CHECK(of_stress("sigma_v", "maximum von Mises stress") == Meant::equivalent_stress);
@@ -41,7 +41,7 @@ TEST_SUITE("quantity kinds") {
     CHECK(of_stress("p", "bearing pressure in the bore") == Meant::nothing);
   }
 
-  TEST_CASE("work, moments, frequencies and temperatures are told by their units") {
+  TEST_CASE("work, moments, frequencies and temperatures are identified by their units") {
     using loadpath::kind_of_field;
     CHECK(kind_of_field({"T", "torque", "N*m", work, Kind::moment}) == Meant::torque);
     CHECK(kind_of_field({"A", "work", "J", work, Kind::energy}) == Meant::work);
@@ -60,7 +60,7 @@ TEST_SUITE("quantity kinds") {
     CHECK(loadpath::kind_of_literal("HEA 160") == Meant::nothing);
   }
 
-  TEST_CASE("a known kind is refused by another, but for what stands for it") {
+  TEST_CASE("a known kind is refused for another, except for compatible ones") {
     constexpr Meant stresses[] = {Meant::normal_stress, Meant::shear_stress, Meant::equivalent_stress};
     for (const Meant field : stresses) {
       for (const Meant given : stresses) CHECK(takes_kind(field, given) == (field == given));
@@ -78,7 +78,7 @@ TEST_SUITE("quantity kinds") {
     CHECK_FALSE(takes_kind(Meant::torque, Meant::strength));
   }
 
-  TEST_CASE("an angle is left out where nothing is miscounted by it") {
+  TEST_CASE("an angle is left out where this causes no wrong factor") {
     using loadpath::fits_but_for_angle;
     CHECK(fits_but_for_angle(turning, turning, Meant::angular_speed, false));
     CHECK(fits_but_for_angle(turning, frequency, Meant::rate, false));

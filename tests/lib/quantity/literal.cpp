@@ -147,7 +147,7 @@ TEST_SUITE("quantity") {
     }
   }
 
-  TEST_CASE("what would need a guess, or is of another kind, is refused with the place and a remedy") {
+  TEST_CASE("a text that needs a guess, or is of another kind, is refused with the place and a remedy") {
     struct Row {
       std::string_view text;
       const Expected& expected;
@@ -222,7 +222,7 @@ TEST_SUITE("quantity") {
     CHECK(std::fabs(parse_literal("7965.671 lbf·in", moment)->si / 900.0 - 1.0) <= 0.0005 / 7965.671);
   }
 
-  TEST_CASE("without an expectation any unit is read, and none") {
+  TEST_CASE("without an expected dimension any unit is read, and none") {
     CHECK(parse_literal("20 °C")->si == 293.15);
     CHECK(parse_literal("3")->dimension.is_number());
     CHECK(parse_literal("120 1/min")->si == 2.0);

@@ -5,7 +5,7 @@
 using namespace loadpath;
 
 TEST_SUITE("quantity") {
-  TEST_CASE("a number is read as people write it, and the reader stops behind it") {
+  TEST_CASE("a number is read as people write it, and the reader stops after it") {
     struct Row {
       std::string_view text;
       double value;
@@ -84,7 +84,7 @@ TEST_SUITE("quantity") {
     }
   }
 
-  TEST_CASE("what is not a number, or can be read in two ways, is refused with the place and a remedy") {
+  TEST_CASE("a text that is not a number, or can be read in two ways, is refused with the place and a remedy") {
     struct Row {
       std::string_view text;
       std::size_t at, length;

@@ -76,7 +76,7 @@ TEST_SUITE("quantity") {
     CHECK(place(0.1 * step) == doctest::Approx(3.0 + 0.1 * step).epsilon(1e-9));
   }
 
-  TEST_CASE("steps of 15 degrees refine a cosine and leave a peak narrower than the grid alone") {
+  TEST_CASE("steps of 15 degrees refine a cosine and do not refine a peak narrower than the grid") {
     const Axis axis = cycle(24);
     const Value cosine = over(axis, [](double x) { return std::cos(x - 0.13); });
     CHECK(relative(maximum(cosine).value, 1.0) < 2e-6);
@@ -98,7 +98,7 @@ TEST_SUITE("quantity") {
     }
   }
 
-  TEST_CASE("an extreme that is reached twice, but for rounding, is told at the first place") {
+  TEST_CASE("an extreme that is reached twice, but for rounding, is reported at the first position") {
     const Axis axis = cycle(360);
     for (const double rounding : {-1e-15, 1e-15}) {
       const Value twice = over(axis, [=](double x) { return std::cos(2.0 * x - 1.0) + (x > 3.0 ? rounding : 0.0); });
@@ -112,7 +112,7 @@ TEST_SUITE("quantity") {
     CHECK(maximum(coarse).at == doctest::Approx(0.5));
   }
 
-  TEST_CASE("an extreme at zero, or at the beginning of a turn, is told there and not a rounding off") {
+  TEST_CASE("an extreme at zero, or at the beginning of a revolution, is reported there and not a rounding error off") {
     for (const double start : {0.0, -0.5 * pi, 1e-17}) {
       CAPTURE(start);
       const Axis axis = cycle(360, 2.0 * pi, start);
@@ -161,7 +161,7 @@ TEST_SUITE("quantity") {
     CHECK(relative(of_two.value, 0.5) < 1e-3);
   }
 
-  TEST_CASE("an extreme beside the first position is reported within the listed turn") {
+  TEST_CASE("an extreme next to the first position is reported within the listed revolution") {
     const Axis axis = cycle(360);
     const Value series = over(axis, [](double x) { return std::cos(x + 0.003); });
     CHECK(maximum(series).at == doctest::Approx(2.0 * pi - 0.003).epsilon(1e-10));
@@ -176,7 +176,7 @@ TEST_SUITE("quantity") {
     CHECK(relative(minimum(series).value, -1.0) < 1e-11);
   }
 
-  TEST_CASE("unequal steps are refined on their own places") {
+  TEST_CASE("unequal steps are refined at their own positions") {
     Axis axis = cycle(360);
     for (std::size_t i = 0; i < axis.at.size(); ++i) axis.at[i] += 0.004 * std::sin(7.0 * axis.at[i]);
     const Value series = over(axis, [](double x) { return std::cos(x - 1.234); });
@@ -225,7 +225,7 @@ TEST_SUITE("quantity") {
     CHECK(maximum(listed(one, {2.0})).value == 2.0);
   }
 
-  TEST_CASE("the mean is weighed by the time at each position") {
+  TEST_CASE("the mean is weighted by the time at each position") {
     Axis axis = cycle(4);
     axis.share = {0.5, 0.25, 0.125, 0.125};
     const Value series = listed(axis, {1.0, 2.0, 4.0, 8.0});
@@ -248,7 +248,7 @@ TEST_SUITE("quantity") {
     CHECK(std::isnan(mean(Value{{}, {3.0}})));
   }
 
-  TEST_CASE("the value at a position is the position's, between them a cubic's") {
+  TEST_CASE("the value at a position is that of the position, between them that of a cubic") {
     const Axis axis = cycle(360);
     const auto f = [](double x) { return std::cos(x) + 0.3 * std::sin(2.0 * x); };
     const Value series = over(axis, f);
@@ -280,14 +280,14 @@ TEST_SUITE("quantity") {
     CHECK(value_at(series, std::nextafter(axis.at.back(), 9.0)) == doctest::Approx(axis.at.back()));
   }
 
-  TEST_CASE("a descending cycle is read at any place") {
+  TEST_CASE("a descending cycle is read at any position") {
     const Axis axis = cycle(360, -2.0 * pi);
     const Value series = over(axis, [](double x) { return std::sin(x); });
     for (const double x : {-0.5, 0.5, 4.0, -6.28})
       CHECK(value_at(series, x) == doctest::Approx(std::sin(x)).epsilon(1e-7));
   }
 
-  TEST_CASE("nothing can be read at a place of no number or off one value") {
+  TEST_CASE("nothing can be read at a position that is not a number or from a single value") {
     const Axis axis = cycle(12);
     const Value series = over(axis, [](double x) { return x; });
     CHECK(std::isnan(value_at(series, std::numeric_limits<double>::quiet_NaN())));

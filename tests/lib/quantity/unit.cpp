@@ -76,7 +76,7 @@ TEST_SUITE("quantity") {
     }
   }
 
-  TEST_CASE("what is no unit is refused with the place and the nearest right word") {
+  TEST_CASE("an unknown unit is refused with the place and the nearest valid word") {
     struct Row {
       std::string_view text;
       std::size_t at, length;
@@ -135,7 +135,7 @@ TEST_SUITE("quantity") {
     CHECK(parse_unit("1")->dimension.is_number());
   }
 
-  TEST_CASE("a value goes to SI and back") {
+  TEST_CASE("a value is converted to SI and back") {
     const Outcome<ParsedUnit> celsius = read_unit("°C", 0);
     CHECK(celsius->to_si(20.0) == 293.15);
     CHECK(std::fabs(celsius->from_si(293.15) - 20.0) <= 1e-12);

@@ -70,7 +70,7 @@ TEST_SUITE("cells of a text") {
     CHECK(heading_of("f(x) of it").name == "f(x) of it");
   }
 
-  TEST_CASE("a comma is a decimal mark where it does not part fields") {
+  TEST_CASE("a comma is a decimal mark where it does not separate fields") {
     CHECK(number_of("2,5", ';') == 2.5);
     CHECK(number_of("-0,25e3", '\t') == -250.0);
     CHECK_FALSE(number_of("2,5", ','));
@@ -80,7 +80,7 @@ TEST_SUITE("cells of a text") {
     CHECK(separator_of("t;F") == ';');
   }
 
-  TEST_CASE("columns are named with their unit or without; what stands over them is told") {
+  TEST_CASE("columns are named with their unit or without; lines above them are reported") {
     const std::string text = "t [s];F [kN]\n0;1,5\n0,1;-2,25\n";
     for (const char* name : {"F [kN]", "F", "2"}) {
       const Read force = read(text, column(name));

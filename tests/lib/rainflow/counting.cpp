@@ -42,7 +42,7 @@ TEST_SUITE("rainflow counting") {
     CHECK(with_means.at({9, 0.5}) == 0.5);
   }
 
-  TEST_CASE("the example of ASTM E1049 that repeats has whole cycles alone") {
+  TEST_CASE("the example of ASTM E1049, repeated, has full cycles only") {
     // 5.4.5 with figure 7, as recalled: from D round to D: E-F 4, A-B 3, H-C 7, D-G 9.
     const Series period{-2, 1, -3, 5, -1, 3, -4, 4};
     const std::map<double, double> printed{{3, 1}, {4, 1}, {7, 1}, {9, 1}};
@@ -79,7 +79,7 @@ TEST_SUITE("rainflow counting") {
     CHECK(Series(residue.begin(), residue.end()) == Series{4, 7, 2, 12, 1, 9, 4, 6});
   }
 
-  TEST_CASE("the same cycles as taking out the smallest range again and again") {
+  TEST_CASE("the same cycles as by removing the smallest range again and again") {
     for (const int steps : {0, 3, 10}) {
       for (unsigned seed = 1; seed <= 30; ++seed) {
         const Series series = noise(20 + 13 * seed, seed, steps);
@@ -92,7 +92,7 @@ TEST_SUITE("rainflow counting") {
     }
   }
 
-  TEST_CASE("a period has the cycles that four of them have more than three") {
+  TEST_CASE("a period has the cycles that four periods have more than three") {
     for (const int steps : {0, 4}) {
       for (unsigned seed = 1; seed <= 40; ++seed) {
         const Series period = noise(2 + seed, seed, steps);
@@ -103,7 +103,7 @@ TEST_SUITE("rainflow counting") {
     }
   }
 
-  TEST_CASE("taking out in blocks leaves every method its cycles") {
+  TEST_CASE("removal in blocks leaves every method its cycles") {
     for (const int steps : {0, 2, 6, 50}) {
       const Series series = noise(60000, 7, steps);
       for (const Method method : methods) {
@@ -154,7 +154,7 @@ TEST_SUITE("rainflow counting") {
     CHECK(counted(sine, rules_of(Method::hcm, Residue::half_cycles)).at({200.0, 0.0}) == n - 0.5);
   }
 
-  TEST_CASE("short and level series have no cycles") {
+  TEST_CASE("short and constant series have no cycles") {
     for (const Method method : methods) {
       const Rules rules = rules_of(method, Residue::half_cycles);
       for (const Series& series : {Series{}, Series{7}, Series(1000, 7.0)}) {
@@ -204,7 +204,7 @@ TEST_SUITE("rainflow counting") {
     }
   }
 
-  TEST_CASE("rules that contradict one another are told") {
+  TEST_CASE("rules that contradict one another are reported") {
     CHECK(!contradiction({}));
     CHECK(contradiction(rules_of(Method::astm, Residue::repeated)));
     CHECK(contradiction(rules_of(Method::hcm, Residue::repeated)));

@@ -123,7 +123,7 @@ TEST_SUITE("rainflow damage") {
     }
   }
 
-  TEST_CASE("half cycles do half, and cycles of three branches add up") {
+  TEST_CASE("half cycles do half the damage, and cycles of three branches add up") {
     const SnCurve curve = curve_of(Measure::amplitude, {100.0, 1e6}, {{5.0, 1e6}, {9.0, 1e8}});
     CHECK(damage_of(curve, {{200.0, -200.0}}) == near(32e-6));
     CHECK(damage_of(curve, {{200.0, -200.0}}, 0.5) == near(16e-6));
@@ -199,7 +199,7 @@ TEST_SUITE("rainflow damage") {
     CHECK(!equivalent_stress(wohler, 1.0, 0.0));
   }
 
-  TEST_CASE("the cycles that do most are told with their time") {
+  TEST_CASE("the cycles with the most damage are reported with their time") {
     const Series series{0, 10, 5, 300, -100, 250, 240, 260, 0, 10, 0};
     Rules rules;
     rules.placed = true;
@@ -222,7 +222,7 @@ TEST_SUITE("rainflow damage") {
     CHECK(first_ones.shares()[1].cycle.mean == 160.0);
   }
 
-  TEST_CASE("numbers that are none of a curve are refused") {
+  TEST_CASE("numbers that do not make a curve are refused") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const auto refused = [](SnCurve::Point point, const std::vector<Branch>& branches) {
       return !SnCurve::make(Measure::range, point, branches);
@@ -242,7 +242,7 @@ TEST_SUITE("rainflow damage") {
           "branch 2 must end at more cycles than what is before it");
   }
 
-  TEST_CASE("what no number holds is no result") {
+  TEST_CASE("a result beyond the range of numbers is not available") {
     DamageSum sum(curve_of(Measure::range, {1.0, 1.0}, {{64.0}}));
     const Loop huge{-8e307, 8e307};
     sum.take({{&huge, 1}, 1.0, {}});

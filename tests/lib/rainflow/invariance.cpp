@@ -69,7 +69,7 @@ std::vector<Series> kinds(std::size_t count) {
 }  // namespace
 
 TEST_SUITE("rainflow invariance") {
-  TEST_CASE("a series that is cut in two anywhere gives the same cycles in the same order") {
+  TEST_CASE("a series that is split in two anywhere gives the same cycles in the same order") {
     for (const Series& series : kinds(300)) {
       for (const bool placed : {false, true}) {
         for (const double gate : {0.0, 20.0}) {
@@ -94,7 +94,7 @@ TEST_SUITE("rainflow invariance") {
     }
   }
 
-  TEST_CASE("wide registers find what one comparison after the other finds") {
+  TEST_CASE("wide registers find the same as one comparison after the other") {
     for (const Series& series : kinds(50000)) {
       Rules rules;
       const Heard best = heard(series, rules, {});
@@ -129,7 +129,7 @@ TEST_SUITE("rainflow invariance") {
     }
   }
 
-  TEST_CASE("places of a period are those before it was turned to its maximum") {
+  TEST_CASE("positions of a period are those before it was rotated to its maximum") {
     const Series period{0, 2, 2, -1, 9, 9, 4, 6, -3};
     CycleList list;
     Rules rules;
@@ -145,7 +145,7 @@ TEST_SUITE("rainflow invariance") {
     CHECK(list.cycles()[2].where == Where{8, 4});  // over the end of the period
   }
 
-  TEST_CASE("taking out at once takes out what closes and keeps the rest in order") {
+  TEST_CASE("removal at once removes what closes and keeps the rest in order") {
     for (std::size_t count = 3; count < 400; ++count) {
       const Series points = naive_turning_points(noise(count, static_cast<unsigned>(count), count % 2 == 0 ? 0 : 9));
       Series room = points;

@@ -159,7 +159,7 @@ TEST_SUITE("rainflow series") {
     CHECK(broken.message == "line 300002: 'oops' in column 2 is not a finite number");
   }
 
-  TEST_CASE("what is wrong in a text is told with its line") {
+  TEST_CASE("errors in a text are reported with their line") {
     const Read nan = csv("1\n2\n\nnan\n3\n");
     CHECK(nan.message == "line 4: 'nan' in column 1 is not a finite number");
     CHECK(nan.at == 4);
@@ -203,7 +203,7 @@ TEST_SUITE("rainflow series") {
           values);  // of one column alike
   }
 
-  TEST_CASE("what is wrong in an array is told") {
+  TEST_CASE("errors in an array are reported") {
     const Series values{1, 2, 3, 4, 5, 6};
     const std::string data = bytes_of(values);
     const auto message = [](const std::string& bytes, const std::string& column = "") {
@@ -232,7 +232,7 @@ TEST_SUITE("rainflow series") {
     CHECK(message(npy("<f8", "(7,)", data + "abc")) == "byte 179: the file ends after 6 of 7 rows");
   }
 
-  TEST_CASE("plain numbers as the machine holds them") {
+  TEST_CASE("plain numbers in the byte order of the machine") {
     Series values;
     for (int i = 0; i < 50000; ++i) values.push_back(0.5 * i);
     const std::vector<float> floats{1.5F, -2.0F};
@@ -250,7 +250,7 @@ TEST_SUITE("rainflow series") {
     }
   }
 
-  TEST_CASE("any bytes are read, or refused with a message, and never as what is not a number") {
+  TEST_CASE("any bytes are read, or refused with a message, and never as NaN") {
     const std::string text = "# t;F\nt;\"F;x\"\n1;2.5\n2; -3e2\n\n3;7\n",
                       array = npy("<f8", "(2, 2)", bytes_of(Series{1, 2, 3, 4}));
     std::mt19937 random(9);
@@ -288,7 +288,7 @@ TEST_SUITE("rainflow series") {
     }
   }
 
-  TEST_CASE("files are opened, and what cannot be is told with the reason") {
+  TEST_CASE("files are opened, and errors are reported with the reason") {
     const test::Desk desk;
     const auto path = desk.folder() / "series.csv";
     std::ofstream(path) << "x\n1\n2\n";
@@ -302,7 +302,7 @@ TEST_SUITE("rainflow series") {
     CHECK(open_source("-"));
   }
 
-  TEST_CASE("the end of a name says the format") {
+  TEST_CASE("the extension gives the format") {
     CHECK(format_of("loads.csv") == Format::csv);
     CHECK(format_of("a.b/loads.npy") == Format::npy);
     CHECK(format_of("x.f32") == Format::f32);

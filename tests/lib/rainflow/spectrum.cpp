@@ -67,7 +67,7 @@ TEST_SUITE("rainflow spectrum") {
     CHECK(kept.points == printed);
   }
 
-  TEST_CASE("a gate takes away the cycles that are smaller and no others") {
+  TEST_CASE("a gate removes the cycles that are smaller and no others") {
     for (unsigned seed = 1; seed <= 20; ++seed) {
       const Series series = noise(3000, seed, seed % 2 == 0 ? 0 : 40);
       for (const double gate : {1.0, 10.0, 60.0}) {
@@ -84,7 +84,7 @@ TEST_SUITE("rainflow spectrum") {
     CHECK(counted(Series{0, 2, 0, 2}, rules).size() == 1);  // as large as the gate
   }
 
-  TEST_CASE("a gate on a period takes away the smaller of its cycles") {
+  TEST_CASE("a gate on a period removes the smaller of its cycles") {
     for (unsigned seed = 1; seed <= 30; ++seed) {
       const Series period = noise(3 + seed, seed, seed % 2 == 0 ? 0 : 20);
       Counts naive = naive_periodic(period);
@@ -129,7 +129,7 @@ TEST_SUITE("rainflow spectrum") {
     }
   }
 
-  TEST_CASE("a class holds its lower bound, and the last one both") {
+  TEST_CASE("a class includes its lower bound, and the last one both") {
     for (const double low : {0.0, -0.7, 1.1, 123.4}) {
       for (const double width : {0.1, 0.3, 1.0 / 3.0, 7.7}) {
         const Classes some = *Classes::make(low, width, 900);

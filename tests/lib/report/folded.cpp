@@ -24,7 +24,7 @@ Verdict row(const char* symbol, double value, State state, bool is_check = true)
 }  // namespace
 
 TEST_SUITE("report") {
-  TEST_CASE("of a check that many elements pass the largest is told, where the first stood") {
+  TEST_CASE("of a check that many elements pass the largest is reported, in place of the first") {
     const auto rows =
         report::folded({row("u_y", 0.9, State::pass), row("sections[1].u_v", 0.1, State::pass),
                         row("sections[1].u_h", 0.5, State::pass), row("sections.seat.u_v", 0.4, State::pass),
@@ -36,7 +36,7 @@ TEST_SUITE("report") {
     CHECK(rows[2].symbol == "sections[1].u_h");
   }
 
-  TEST_CASE("what does not pass keeps its row, and two are no many") {
+  TEST_CASE("a failing check keeps its row, and two are not many") {
     const auto rows = report::folded({row("s[1].u", 0.1, State::pass), row("s[2].u", 1.4, State::fail),
                                       row("s[3].u", 0.2, State::pass), row("s[4].u", 0.3, State::pass),
                                       row("t[1].u", 0.3, State::pass), row("t[2].u", 0.4, State::pass)});
@@ -46,7 +46,7 @@ TEST_SUITE("report") {
     CHECK(rows[2].symbol == "t[1].u");
   }
 
-  TEST_CASE("of a limit that many elements keep the range of the values is told") {
+  TEST_CASE("of a limit that many elements satisfy the range of the values is reported") {
     const auto rows =
         report::folded({row("s[1].x", 0.3, State::pass, false), row("s[2].x", 0.1, State::pass, false),
                         row("s[3].x", 0.2, State::pass, false), row("s[4].x", 1.2, State::not_covered, false)});

@@ -74,7 +74,7 @@ TEST_SUITE("charts of a sweep") {
     CHECK(plane->dots[plane->shown].verdict == figure::Chart::Verdict::passes);
   }
 
-  TEST_CASE("nothing else makes one") {
+  TEST_CASE("no other inputs make a plane") {
     const std::string d = "d = { from = \"30 mm\", to = \"60 mm\", count = 5 }\n";
     for (const std::string& other :
          {std::string("T = \"200 N*m\"\n"), std::string("T = { mean = \"200 N*m\", sd = \"10 %\" }\n"),
@@ -92,7 +92,7 @@ TEST_SUITE("charts of a sweep") {
     CHECK_FALSE(drawn_of(zipped).plane);
   }
 
-  TEST_CASE("an input that runs along with one of the two leaves the plane") {
+  TEST_CASE("an input that varies together with one of the two does not prevent the plane") {
     const Swept swept(shaft +
                           "d = [\"30 mm\", \"40 mm\", \"50 mm\"]\nT = [\"100 N*m\", \"200 N*m\", \"300 N*m\"]\nl = "
                           "[\"1 m\", \"2 m\"]\nG = \"81 GPa\"\ntheta_adm = \"0.25 deg/m\"\n[project.sweep]\nzip = "

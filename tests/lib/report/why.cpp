@@ -60,7 +60,7 @@ TEST_SUITE("why") {
     CHECK(symbols_of(lines) == std::vector<std::string>{"sections.b.tau", "safeties.b.tau", "safeties.b.u_D"});
   }
 
-  TEST_CASE("of elements that a calculator chose to write out a report has what decides most") {
+  TEST_CASE("of elements that a calculator writes out selectively a report has the governing ones") {
     const std::vector<std::string> decides{".n", "sections.b.tau", "safeties.b.tau", "safeties.b.u_D"};
     CHECK(symbols_of(report::deciding_lines(shaft())) == decides);
     Account failing = shaft();
@@ -69,7 +69,7 @@ TEST_SUITE("why") {
     CHECK(symbols_of(report::deciding_lines(failing)) == fails);
   }
 
-  TEST_CASE("where all elements are written out each keeps what its check follows from") {
+  TEST_CASE("where all elements are written out each keeps the inputs of its check") {
     Account all = shaft();
     std::erase_if(all.results, [](const account::Entry& e) { return e.path.find(".c.") != std::string::npos; });
     std::erase_if(all.results, [](const account::Entry& e) { return e.path.starts_with("safeties.a"); });

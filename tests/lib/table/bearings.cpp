@@ -129,7 +129,7 @@ TEST_SUITE("table") {
     }
   }
 
-  TEST_CASE("bearings: C_u is C_0/22 of balls and C_0/8.2 of rollers, up to the makers' designs") {
+  TEST_CASE("bearings: C_u is C_0/22 for balls and C_0/8.2 for rollers, up to the manufacturers' designs") {
     each_bearing([](const Entry& row) {
       INFO(row.row->name);
       const bool balls = row.row->kind.find("ball") != std::string::npos || row.row->kind == "angular_contact_pair";

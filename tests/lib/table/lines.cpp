@@ -49,7 +49,7 @@ TEST_SUITE("table lines") {
     CHECK(cells_of("[]").empty());
   }
 
-  TEST_CASE("whatever is of another form is left to the parser") {
+  TEST_CASE("any other form is left to the parser") {
     for (const char* line :
          {"",       "1, 2",  "[1, 2",       "[1 2]",          "[1,, 2]",  "[1] # comment", "[\"a]", "[\"a\\\"b\"]",
           "['a']",  "[007]", "[.5]",        "[5.]",           "[1_000]",  "[+1]",          "[inf]", "[nan]",
@@ -59,7 +59,7 @@ TEST_SUITE("table lines") {
     }
   }
 
-  TEST_CASE("rows are cut out only where they stand at the top of a file, and places stay what they are") {
+  TEST_CASE("rows are extracted only where they are at the top of a file, and places are unchanged") {
     const auto cut = cut_lines("table = \"a\"\nrows = [\n  [1],\n  [2],\n]\n\n[units]\n");
     REQUIRE(cut);
     CHECK(cut->lines == std::vector<std::string_view>{"  [1],", "  [2],"});

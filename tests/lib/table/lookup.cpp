@@ -38,7 +38,7 @@ TEST_SUITE("table") {
     }
   }
 
-  TEST_CASE("a property tells its unit and its sources") {
+  TEST_CASE("a property has its unit and its sources") {
     const auto R_e = property(material("C45E"), "R_e", 16.0 * mm);
     REQUIRE(R_e);
     CHECK(R_e->unit == "MPa");
@@ -52,7 +52,7 @@ TEST_SUITE("table") {
     CHECK(rho->sources.empty());
   }
 
-  TEST_CASE("constants come in SI to the last bit") {
+  TEST_CASE("constants are in SI to the last bit") {
     CHECK(value_of(material("S355"), "E") == 210e9);
     CHECK(value_of(material("S355"), "alpha") == 12e-6);
     CHECK(value_of(material("S355"), "rho") == 7850.0);
@@ -60,7 +60,7 @@ TEST_SUITE("table") {
     CHECK(value_of(material("AISI 1045 HR"), "G") == 79.3e9);
   }
 
-  TEST_CASE("a material answers to its number, its old name and its Cyrillic name") {
+  TEST_CASE("a material is found by its number, its old name and its Cyrillic name") {
     CHECK(material("1.1191").row->name == "C45E");
     CHECK(material("ck45").row->name == "C45E");
     CHECK(material("S 235").row->name == "S235");
@@ -70,7 +70,7 @@ TEST_SUITE("table") {
     CHECK(material("6082-T6").row->name == "EN AW-6082-T6");
   }
 
-  TEST_CASE("the tables in use answer like the whole library") {
+  TEST_CASE("the tables in use give the same as the full library") {
     for (const char* name : {"C45E", "1.0038", "ck45", "сталь 45"}) {
       const auto found = find_row("material", name);
       REQUIRE(found);
@@ -97,7 +97,7 @@ TEST_SUITE("table") {
     }
   }
 
-  TEST_CASE("a table and a series are found by their names, or are not there") {
+  TEST_CASE("a table and a series are found by their names, or do not exist") {
     CHECK(first_table_in("materials/steel_aisi")->name == "materials/steel_aisi");
     CHECK(first_table_in("materials")->group == "material");
     CHECK(first_table_in("material") == nullptr);
@@ -105,19 +105,19 @@ TEST_SUITE("table") {
     CHECK(series_named("R4") == nullptr);
   }
 
-  TEST_CASE("a citation reads like that of the whole library") {
+  TEST_CASE("a citation is the same as from the full library") {
     for (const auto& [key, known] : built_in().citations) CHECK(citation(key) == known.text);
     CHECK(citation("nobody").empty());
   }
 
-  TEST_CASE("how far a property is covered can be asked") {
+  TEST_CASE("the size range of a property can be queried") {
     CHECK(covered_size(material("C45E"), "R_e") == 100.0 * mm);
     CHECK(std::isinf(covered_size(material("C45E"), "E")));
     CHECK(covered_size(material("16MnCr5"), "R_e") == 16.0 * mm);
     CHECK(covered_size(material("EN-GJL-250"), "R_e") == 0.0);
   }
 
-  TEST_CASE("a look-up that finds nothing says why") {
+  TEST_CASE("a look-up that finds nothing states why") {
     const auto why = [](const Outcome<Property>& found) { return found.fault().message.text(); };
     CHECK(why(property(material("C45E"), "R_e", 101.0 * mm)) == "R_e of 'C45E' is given up to 100 mm, not for 101 mm");
     CHECK(why(property(material("C45E"), "R_e")) == "R_e of 'C45E' depends on the size, which is not given");

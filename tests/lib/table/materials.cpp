@@ -36,7 +36,7 @@ double sizes_of_thin_extrusions(const Row& row) { return row.name == "EN AW-6082
 }  // namespace
 
 TEST_SUITE("table") {
-  TEST_CASE("the elastic constants of every material belong together") {
+  TEST_CASE("the elastic constants of every material are consistent") {
     each_material([](const Entry& entry) {
       CAPTURE(entry.row->name);
       const double E = value_of(entry, "E"), G = value_of(entry, "G"), nu = value_of(entry, "nu");
@@ -104,7 +104,7 @@ TEST_SUITE("table") {
     }
   }
 
-  TEST_CASE("every source that a value cites is there, and every source is cited") {
+  TEST_CASE("every source that a value cites exists, and every source is cited") {
     std::set<std::string> cited;
     each_row([&](const Entry& entry) {
       each_value(*entry.row, [&](const Value& v) { cited.insert(v.sources.begin(), v.sources.end()); });
@@ -137,7 +137,7 @@ TEST_SUITE("table") {
     CHECK_FALSE(names("R20", ""));
   }
 
-  TEST_CASE("the audit says at which size") {
+  TEST_CASE("the audit states the size") {
     const auto found = audit(built_in());
     const auto at = std::find_if(found.begin(), found.end(),
                                  [](const Recalled& r) { return r.row == "34CrNiMo6" && r.key == "R_e"; });

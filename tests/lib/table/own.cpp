@@ -82,7 +82,7 @@ source = "EN 10028-2"
     CHECK(own.tables.find_row("material", "S235")->row->own == false);
   }
 
-  TEST_CASE("a row of a project stands before a built-in one, in this project alone") {
+  TEST_CASE("a row of a project replaces a built-in one, in this project only") {
     const Own own = read("[tables.materials.S235]\nE = \"200 GPa\"\nsource = \"test report\"\n");
     CHECK(told(own.issues).empty());
     CHECK(value_of(*own.tables.find_row("material", "S235"), "E") == 200e9);
@@ -90,7 +90,7 @@ source = "EN 10028-2"
     CHECK(value_of(*read("").tables.find_row("material", "S235"), "E") == 210e9);
   }
 
-  TEST_CASE("what is wrong with a row is told with its place") {
+  TEST_CASE("errors in a row are reported with their place") {
     CHECK(fault_of("[tables.materials.M]\nE = \"200 GPa\"\n") ==
           "1:19: 'tables.materials.M' has no source | state the origin of its values: source = \"certificate 4711 of "
           "2026-03-02\"");
@@ -123,14 +123,14 @@ source = "EN 10028-2"
           "4:11: values of a section do not depend on a size");
   }
 
-  TEST_CASE("tables of which nothing is looked up are refused") {
+  TEST_CASE("tables in which nothing is looked up are refused") {
     CHECK(fault_of("[tables.material_s.M]\nE = \"1 GPa\"") ==
           "1:9: a project can have no tables 'material_s' of its own | did you mean 'materials'?");
     CHECK(fault_of("[tables.v_belts.M]\nh = \"1 mm\"")
               .starts_with("1:9: a project can have no tables 'v_belts' of its own | available: series, chains"));
   }
 
-  TEST_CASE("two rows of a project never answer to one name") {
+  TEST_CASE("two rows of a project never have the same name") {
     CHECK(fault_of(row + "E = \"1 GPa\"\n[tables.materials.N]\nE = \"1 GPa\"\nsource = \"x\"\naliases = [\"m\"]") ==
           "4:19: two rows of the project answer to the name 'm': 'M' and 'N' | take it out of one of them");
     CHECK(told(read(row + "E = \"1 GPa\"", {file}).issues) ==

@@ -30,7 +30,7 @@ std::string issue_of(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("table") {
-  TEST_CASE("a row stands in for an earlier one of the same name, in its own units") {
+  TEST_CASE("a row replaces an earlier one of the same name, in its own units") {
     std::vector<Issue> issues;
     const Library mine = with_file(built_in(), head + R"([[row]]
 name = "C45E"
@@ -82,7 +82,7 @@ recalled = true
     CHECK(members_in_si(**find_series(mine, "stock")) == std::vector<double>{0.0127, 0.01905, 0.0254});
   }
 
-  TEST_CASE("a row takes from the file's defaults what it does not say itself") {
+  TEST_CASE("a row takes from the file's defaults what it does not state itself") {
     std::vector<Issue> issues;
     const Library mine = with_file(built_in(), R"(table = "mine"
 group = "material"

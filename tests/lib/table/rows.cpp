@@ -56,7 +56,7 @@ std::string first_of(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("table") {
-  TEST_CASE("rows that are written as lines are read like any others, in order, and what is left out stays unset") {
+  TEST_CASE("rows that are written as lines are read like any others, in order, and missing values stay unset") {
     std::vector<Issue> issues;
     const Library library = read(lines, issues);
     REQUIRE(issues.empty());
@@ -71,7 +71,7 @@ TEST_SUITE("table") {
     CHECK(property(bars[1].entry, "A")->sources == std::vector<std::string>{"list"});
   }
 
-  TEST_CASE("a row of a later table takes the place of those of its name") {
+  TEST_CASE("a row of a later table replaces those of its name") {
     std::vector<Issue> issues;
     Library library = read(lines, issues);
     library = read("table = \"mine/bars\"\n" + head + "[[row]]\nname = \"B1\"\nd = 11\nrecalled = true\n", issues,
@@ -95,7 +95,7 @@ TEST_SUITE("table") {
     CHECK(issues[0].message.text() == "d of 'b' is a length, not a mass");
   }
 
-  TEST_CASE("the rows of a group in use are read once, and all of them") {
+  TEST_CASE("the rows of a group in use are read once, and completely") {
     const auto& steels = rows_of<Steel>();
     CHECK(&steels == &rows_of<Steel>());
     std::size_t all = 0;

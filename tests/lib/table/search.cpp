@@ -31,7 +31,7 @@ Fault fault(const std::string& where) {
 }  // namespace
 
 TEST_SUITE("table search") {
-  TEST_CASE("the lightest section with a least second moment comes first, of the largest order the heaviest") {
+  TEST_CASE("the lightest section with a minimum second moment comes first, in descending order the heaviest") {
     const auto found = names("I_min >= 300 cm^4", "mass");
     REQUIRE(found.size() > 100);
     const auto mass = [](const std::string& name) { return searched_value(*(*find_row("section", name)).row, "m"); };
@@ -41,21 +41,21 @@ TEST_SUITE("table search") {
     CHECK(mass(falling.front()) >= mass(found.back()));
   }
 
-  TEST_CASE("several conditions hold together, whatever the unit") {
+  TEST_CASE("several conditions apply together, whatever the unit") {
     CHECK(names("h = 200 mm and b = 100 mm and t_f = 8.5 mm", "") == std::vector<std::string>{"IPE 200"});
     CHECK(names("h = 20 cm and b = 0.1 m and t_f < 9 mm and t_f > 8.4 mm", "") == std::vector<std::string>{"IPE 200"});
     CHECK(names("h >= 200 mm and h < 200 mm", "").empty());
     CHECK(names("h != 200 mm and h >= 200 mm and h <= 200 mm", "").empty());
   }
 
-  TEST_CASE("a row that lacks the value does not match") {
+  TEST_CASE("a row without the value does not match") {
     for (const std::string& name : names("e_z >= 0 mm", "")) {
       CAPTURE(name);
       CHECK((name.starts_with("U") || name.starts_with("L") || name.starts_with("C") || name.starts_with("MC")));
     }
   }
 
-  TEST_CASE("what cannot be read is told with its place") {
+  TEST_CASE("a condition that cannot be read is reported with its place") {
     CHECK(fault("I_mni >= 300 cm^4").message.text() == "unknown column 'I_mni' in these tables");
     CHECK(fault("I_mni >= 300 cm^4").hint.text() == "did you mean 'I_min'?");
     CHECK(fault("h > 1 mm and bb > 2 mm").at == 13);

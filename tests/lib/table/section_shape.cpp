@@ -51,7 +51,7 @@ TEST_SUITE("table section_shape") {
     }
   }
 
-  TEST_CASE("constants far above those of the walls are found") {
+  TEST_CASE("constants far above those of the walls are detected") {
     CHECK(key_of(heb_200()).empty());
     for (double SectionShape::*value : {&SectionShape::W_pl_y, &SectionShape::W_pl_z, &SectionShape::I_t,
                                         &SectionShape::I_w, &SectionShape::I_y, &SectionShape::A}) {
@@ -61,7 +61,7 @@ TEST_SUITE("table section_shape") {
     }
   }
 
-  TEST_CASE("an angle has a least moment of its own, by its legs") {
+  TEST_CASE("an angle has a minimum second moment of its own, by its legs") {
     constexpr double mm = 1e-3;
     SectionShape angle{.h = 100 * mm, .b = 100 * mm, .t_w = 10 * mm, .A = 1915e-6, .I_y = 177e-8, .I_z = 177e-8};
     angle.kind = "angle";

@@ -48,7 +48,7 @@ TEST_SUITE("table") {
     CHECK(unknown.fault().hint.text() == "did you mean 'R20'?");
   }
 
-  TEST_CASE("preferred numbers lie at the powers of the root of ten that names them") {
+  TEST_CASE("preferred numbers are at the powers of the root of ten that names them") {
     for (const auto& [name, n] : {std::pair{"R5", 5}, {"R10", 10}, {"R20", 20}, {"R40", 40}}) {
       const auto& members = series(name).members;
       CHECK(members.size() == static_cast<std::size_t>(5 * n + 1));

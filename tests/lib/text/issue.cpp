@@ -78,7 +78,7 @@ TEST_SUITE("issue") {
     CHECK(wide.size() - wide.rfind("\n  | ") - 2 == 104 - 3);  // none below the dots
   }
 
-  TEST_CASE("what would move the cursor is not sent to the terminal") {
+  TEST_CASE("characters that would move the cursor are not sent to the terminal") {
     const std::string text = render({issue("control.toml", 1, 1)}, shaft_file);
     CHECK(text.find('\x1b') == std::string::npos);
     CHECK(text.find("a b = \"\uFFFD[31m\"") != std::string::npos);

@@ -28,7 +28,7 @@ TEST_SUITE("text") {
     }
   }
 
-  TEST_CASE("bytes that are no UTF-8 become letters or go") {
+  TEST_CASE("bytes that are not UTF-8 become letters or are dropped") {
     CHECK(latex_text("a\xffz") == "aÿz");
     CHECK(latex_text("a\x80z") == "az");
   }

@@ -5,7 +5,7 @@
 using namespace loadpath;
 
 TEST_SUITE("utf8") {
-  TEST_CASE("malformed bytes are found where they stand") {
+  TEST_CASE("malformed bytes are found at their position") {
     struct Row {
       std::string_view text;
       std::size_t at;
@@ -29,13 +29,13 @@ TEST_SUITE("utf8") {
     }
   }
 
-  TEST_CASE("code points and text are each other's inverse") {
+  TEST_CASE("code points and text are inverse to each other") {
     const std::string text = "a é Ж € 𝛔";
     CHECK(code_points(text) == U"a é Ж € 𝛔");
     CHECK(utf8(code_points(text)) == text);
   }
 
-  TEST_CASE("a byte that is no text stands for itself") {
+  TEST_CASE("a byte that is not text is taken as its own code") {
     CHECK(code_points("\xFF"
                       "a") == U"\u00FFa");
   }

@@ -36,7 +36,7 @@ TEST_SUITE("toml") {
     CHECK(tree.entries[1].key == "a");
   }
 
-  TEST_CASE("every kind of value keeps its place; a text's is inside the quotes") {
+  TEST_CASE("every kind of value keeps its place; that of a text is inside the quotes") {
     const Tree tree = tree_of("t = \"я\"\nn = -1.5\nb = true\na = [1,  2]\nd = 2026-01-02\n");
     const auto at = [&](const char* key) { return tree.find(key)->value; };
     CHECK(at("t").type == Tree::Type::text);
@@ -47,7 +47,7 @@ TEST_SUITE("toml") {
     CHECK(at("d").text == "a date");
   }
 
-  TEST_CASE("a quantity without quotes is told how to write it") {
+  TEST_CASE("a quantity without quotes is reported with how to write it") {
     CHECK(issues_of("[axle]\nT = 900 N*m  # at the gear\n") ==
           R"(a.toml:2:9: error: not valid TOML: expected a comment or whitespace, saw 'N'
 2 | T = 900 N*m  # at the gear
@@ -56,7 +56,7 @@ TEST_SUITE("toml") {
 )");
   }
 
-  TEST_CASE("foreign comments, words, names and quotes are reported with the right form") {
+  TEST_CASE("other comment signs, words, names and quotes are reported with the right form") {
     CHECK(issues_of("S = 1.5 ; safety\n").ends_with("help: a comment begins with '#': 1.5 # safety\n"));
     CHECK(issues_of("a = { d = auto }\n").ends_with("help: a value to be found is written \"?\"\n"));
     CHECK(issues_of("l = ?\n").ends_with("help: a value to be found is written in quotes: \"?\"\n"));
@@ -83,7 +83,7 @@ TEST_SUITE("toml") {
     CHECK(hint("{ a = 1 },\n\n[b]\n") == "help: a list before this line is not closed: add ']'\n");
   }
 
-  TEST_CASE("a text that is not closed is told where it would be") {
+  TEST_CASE("a text that is not closed is reported where it would be") {
     CHECK(issues_of("[m]\nmass = \"3 kg\nangle = \"0 deg\"\n") == R"(a.toml:2:13: error: the text is not closed
 2 | mass = "3 kg
   |             ^
@@ -99,7 +99,7 @@ TEST_SUITE("toml") {
     CHECK(issues_of("a = \"it's\" x # \"\n").starts_with("a.toml:1:12: error: not valid TOML: "));
   }
 
-  TEST_CASE("a Cyrillic key without quotes is told to take them") {
+  TEST_CASE("a Cyrillic key without quotes is reported as needing them") {
     CHECK(
         issues_of("момент = \"3 N*m\"\n").ends_with("  = help: write a key with other than Latin letters in quotes\n"));
     CHECK(issues_of("I = \"=tables.sections.\"IPE 330\".I_y\"\n")
@@ -108,7 +108,7 @@ TEST_SUITE("toml") {
     CHECK(issues_of("[вал]\n").ends_with("  = help: a name has Latin letters, digits and '_'\n"));
   }
 
-  TEST_CASE("a character outside ASCII stands in quotes or in a comment") {
+  TEST_CASE("a character outside ASCII is in quotes or in a comment") {
     CHECK(issues_of("# момент\na = 'я' # я\nb = \"\"\"я\\\"\"\" я\"\"\"\nc = \"\\\" я\"\n").empty());
     CHECK(issues_of("\xEF\xBB\xBF"
                     "a = 1\n")
@@ -134,7 +134,7 @@ TEST_SUITE("toml") {
     }
   }
 
-  TEST_CASE("what the parser takes for granted is told where a text does not keep to it") {
+  TEST_CASE("what the parser takes for granted is reported where a text violates it") {
     CHECK(issues_of("[a]\n[.roject]\n") ==
           "a.toml:2:2: error: not valid TOML: expected bare key starting character or string delimiter, saw '.'\n"
           "2 | [.roject]\n  |  ^\n");
@@ -146,7 +146,7 @@ TEST_SUITE("toml") {
       CHECK_MESSAGE(issues_of(wrong).find("error: not valid TOML: ") != std::string::npos, wrong);
   }
 
-  TEST_CASE("a key that stands twice is refused") {
+  TEST_CASE("a duplicate key is refused") {
     CHECK(issues_of("d = 1\nd = 2\n").starts_with("a.toml:2:5: error: 'd' is given twice\n"));
   }
 
@@ -156,14 +156,14 @@ TEST_SUITE("toml") {
     CHECK(said.size() < 500);
   }
 
-  TEST_CASE("bytes that are not UTF-8 are told with their place") {
+  TEST_CASE("bytes that are not UTF-8 are reported with their place") {
     CHECK(issues_of("a = \"я\"\nb = \"\xff\"\n").starts_with("a.toml:2:6: error: this byte is not UTF-8\n"));
     for (const char* bytes : {"\x80", "\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"}) {
       CHECK(issues_of("b = \"" + std::string(bytes) + "\"").starts_with("a.toml:1:6: error: this byte is not UTF-8\n"));
     }
   }
 
-  TEST_CASE("control characters are told with their code") {
+  TEST_CASE("control characters are reported with their code") {
     CHECK(issues_of("a = \"x\x07y\"\n") ==
           "a.toml:1:7: error: the control character U+0007\n1 | a = \"x\xEF\xBF\xBDy\"\n  |       ^\n  = help: remove "
           "it\n");
@@ -211,7 +211,7 @@ TEST_SUITE("toml") {
   }
 
   // where one is glued, what follows may be a text to one and none to the other
-  TEST_CASE("texts that a parser would read otherwise than they look are messages") {
+  TEST_CASE("texts that a parser would read differently than they look are reported") {
     for (const char* text : {"H=0'{{{{{\"B={{'AA\xEF\xBB\xBD"
                              "BA",
                              "a = b'\nc = \"\xC3\xA4\"\n", "nnz=0nAz={j=\"={j'z=nz=0nzz={j0z\xCB\x8Aj'z=",
@@ -219,7 +219,7 @@ TEST_SUITE("toml") {
       CHECK_MESSAGE(issues_of(text).find(": error: ") != std::string::npos, text);
   }
 
-  TEST_CASE("a file has a largest size") {
+  TEST_CASE("a file has a maximum size") {
     CHECK(issues_of(std::string(toml::largest_file + 1, '#')) == "a.toml: error: the file is larger than 4 MiB\n");
   }
 }

@@ -25,13 +25,13 @@ const std::string by_aisc = "method = \"aisc\"\ngamma_M1 = \ngamma_F = \nP = \"3
 }  // namespace
 
 TEST_SUITE("column with bending") {
-  TEST_CASE("without moments it is the column alone, by both codes") {
+  TEST_CASE("without moments it is the plain column, by both codes") {
     const ExampleStep ec3 = step(no_moments), aisc = step(by_aisc + no_moments);
     CHECK(rel(ec3("u_z"), ec3("u")) < 1e-12);
     CHECK(rel(aisc("u_H"), aisc("u")) < 1e-12);
   }
 
-  TEST_CASE("the interaction tends to the column as the moments go to zero") {
+  TEST_CASE("the interaction tends to the plain column as the moments tend to zero") {
     const ExampleStep little = step("M_y_1 = \"1e-6 N*m\"\nM_y_2 = \"0 N*m\"\nM_z = \"1e-6 N*m\"");
     CHECK(rel(little("u_z"), little("u")) < 1e-9);
   }
@@ -84,7 +84,7 @@ TEST_SUITE("column with bending") {
     CHECK(step("M_y_2 = \"-60 kN*m\"")("u_s") >= step("M_y_2 = \"0 kN*m\"")("u_s"));  // the section does not gain
   }
 
-  TEST_CASE("random columns: more of anything is never easier, and bending never helps") {
+  TEST_CASE("random columns: no increase makes it easier, and bending never helps") {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> any(0.1, 1.0);
     const auto lines = [](double P, double M_1, double M_2, double M_z, double l, const char* method) {
@@ -108,7 +108,7 @@ TEST_SUITE("column with bending") {
     }
   }
 
-  TEST_CASE("a longer span between lateral supports lowers the moment, a tube does not turn over") {
+  TEST_CASE("a longer span between lateral supports lowers the moment, and a tube has no lateral-torsional buckling") {
     const std::string ipe = "section = \"IPE 300\"\nP = \"100 kN\"\nM_z = \nM_y_1 = \nM_y_2 = \nM_y = \"40 kN*m\"\n";
     CHECK(step(ipe + "l = \"8 m\"")("chi_LT") < step(ipe + "l = \"4 m\"")("chi_LT"));
     CHECK(step(ipe + "l = \"4 m\"")("chi_LT") < 0.9);
@@ -135,7 +135,7 @@ TEST_SUITE("column with bending") {
     CHECK(mode("P = \nN = \"0 kN\"\nM_y_1 = \"160 kN*m\"\n", "section") == "fail");
   }
 
-  TEST_CASE("what it does not cover does not pass") {
+  TEST_CASE("outside its scope nothing passes") {
     CHECK_FALSE(step("section = \"UPN 200\"").fault().empty());
     CHECK_FALSE(step("section = \"L 100x10\"").fault().empty());
     CHECK_FALSE(step("section = \nA = \"78 cm^2\"\nI_y = \"5696 cm^4\"\nI_z = \"2003 cm^4\"").fault().empty());
@@ -150,7 +150,7 @@ TEST_SUITE("column with bending") {
                "local") == "not-covered");
   }
 
-  TEST_CASE("each moment alone fails it, and either code sees it") {
+  TEST_CASE("each moment alone makes it fail, by either code") {
     for (const std::string& code : {std::string(), by_aisc}) {
       CHECK(mode(code + no_moments + "M_y = \"400 kN*m\"", "bent") == "fail");
       CHECK(mode(code + no_moments + "M_z = \"200 kN*m\"", "bent") == "fail");
@@ -161,7 +161,7 @@ TEST_SUITE("column with bending") {
     }
   }
 
-  TEST_CASE("longer effective lengths by factors are those of ends that sway") {
+  TEST_CASE("effective lengths by factors above 1 are those of ends that sway") {
     const ExampleStep held = step(""), swaying = step("ends = \nbeta_y = 2\nbeta_z = 1");
     CHECK(rel(swaying("C_my"), 0.9) < 1e-12);
     CHECK(swaying("u_y") > held("u_y"));

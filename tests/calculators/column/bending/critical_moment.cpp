@@ -26,7 +26,7 @@ double critical(const Moments& m, double z_g = 0.0) { return in_si(critical_mome
 }  // namespace
 
 TEST_SUITE("critical moment") {
-  TEST_CASE("as by finite elements: forty cubic elements of the twist, computed apart") {
+  TEST_CASE("as by finite elements: forty cubic elements of the twist, computed independently") {
     CHECK(rel(critical(moments(1, 0)), 164578) < 1e-5);
     CHECK(rel(critical(moments(-1, 1)), 243662) < 1e-5);
     CHECK(rel(critical(moments(1, 0.5)), 118699) < 1e-5);

@@ -61,7 +61,7 @@ bool says(const std::string& lines, std::string_view words) {
 }  // namespace
 
 TEST_SUITE("column lightest") {
-  TEST_CASE("the section, its force and the next lighter one are those of an independent search") {
+  TEST_CASE("the section, its force and the next lighter section are those of an independent search") {
     struct Row {
       std::initializer_list<const char*> families;
       double P, l, R_e, beta_z;
@@ -140,7 +140,7 @@ TEST_SUITE("column lightest") {
     }
   }
 
-  TEST_CASE("the list holds what carries the bar, the lightest first") {
+  TEST_CASE("the list has the sections that carry the load, the lightest first") {
     const auto r = solve(column_of({"HEA", "HEB"}, 900.0 * kN, 4.5 * m));
     REQUIRE(r.candidates.size() == column::Lightest::Candidates::capacity());
     CHECK(r.candidates[0].name == r.section);
@@ -169,14 +169,14 @@ TEST_SUITE("column lightest") {
     }
   }
 
-  TEST_CASE("another family more is never heavier") {
+  TEST_CASE("one more section family never makes it heavier") {
     const auto one = solve(column_of({"IPE"}, 400.0 * kN, 3.5 * m));
     const auto two = solve(column_of({"IPE", "SHS"}, 400.0 * kN, 3.5 * m));
     CHECK(two.q < one.q);
     CHECK(two.sections > one.sections);
   }
 
-  TEST_CASE("where there is little room only what fits is tried") {
+  TEST_CASE("where space is limited only sections that fit are tried") {
     auto in = column_of({"HEB", "HEM"}, 1500.0 * kN, 4.0 * m);
     const auto free = solve(in);
     in.h_max = in.b_max = 220.0 * mm;
@@ -187,7 +187,7 @@ TEST_SUITE("column lightest") {
     CHECK(tight.sections < free.sections);
   }
 
-  TEST_CASE("supports between the ends are worked out once, and count for every section") {
+  TEST_CASE("supports between the ends are evaluated once, and apply to every section") {
     auto in = column_of({"IPE"}, 300.0 * kN, 3.0 * m);
     in.supports_z.push_back({1.5 * m});
     const auto r = solve(in);
@@ -196,7 +196,7 @@ TEST_SUITE("column lightest") {
     for (const auto& c : r.lighter) CHECK(rel(in_si(judged(in, c.name.view()).P_all), in_si(c.P_all)) < 1e-12);
   }
 
-  TEST_CASE("a limit of slenderness is one of compressed bars: a tie needs the area alone") {
+  TEST_CASE("a slenderness limit applies to bars in compression: a tie needs the area only") {
     auto in = column_of({"L"}, 0.0 * kN, 3.0 * m);
     const auto fails_by_slenderness = [](const auto& r) {
       return std::any_of(r.lighter.begin(), r.lighter.end(),
@@ -219,7 +219,7 @@ TEST_SUITE("column lightest") {
     CHECK(pulled.section.view() == std::string_view(first->name()));
   }
 
-  TEST_CASE("a bar that is pulled hard needs the area") {
+  TEST_CASE("a bar under high tension needs the area") {
     auto in = column_of({"HEB"}, 0.0 * kN, 3.0 * m);
     in.P = unset<Force>, in.N = 6000.0 * kN;
     const auto r = solve(in);
@@ -236,7 +236,7 @@ TEST_SUITE("column lightest") {
     CHECK(!column::Lightest::strength_in_tension(in));
   }
 
-  TEST_CASE("of round tubes the table does not say hot or cold: they have the less favourable curve") {
+  TEST_CASE("round tubes that the table does not mark as hot or cold formed have the less favourable curve") {
     auto in = column_of({"CHS"}, 300.0 * kN, 4.0 * m);
     const auto open = solve(in);
     in.kind = SectionKind::hot_hollow;
@@ -250,7 +250,7 @@ TEST_SUITE("column lightest") {
     CHECK(solve(in).q == cold.q);  // the kind of rows that have one stays theirs
   }
 
-  TEST_CASE("beyond the table of SP 16 it is not the kind that is asked for") {
+  TEST_CASE("beyond the table of SP 16 the kind of section is not asked for") {
     auto in = column_of({"HEA"}, 1.0 * kN, 60.0 * m);
     in.method = Method::sp16, in.n_st = 2.0;
     const auto r = solve(in);
@@ -261,7 +261,7 @@ TEST_SUITE("column lightest") {
     CHECK(fault.hint.text().find("kind") == std::string::npos);
   }
 
-  TEST_CASE("a tube is thin by its diameter over its wall: 90 eps^2") {
+  TEST_CASE("a tube counts as thin by its diameter over its wall: 90 eps^2") {
     auto in = column_of({"CHS"}, 300.0 * kN, 4.0 * m);
     in.kind = SectionKind::hot_hollow;
     column::Buckling::Input bar{in, section_of("CHS 76.1x2.5")};
@@ -269,7 +269,7 @@ TEST_SUITE("column lightest") {
     CHECK(rel(tests::solve(bar).r_class, 76.1 / 2.5 / 90.0) < 1e-12);
   }
 
-  TEST_CASE("where no section carries the bar it is said by how much the strongest falls short") {
+  TEST_CASE("where no section carries the load, the shortfall of the strongest is reported") {
     const std::string heavy = "families = [\"IPE\"]\n" + text;
     CHECK(complaints("families = [\"HEA\"]\n" + text).empty());
     std::string lines = heavy;
@@ -286,7 +286,7 @@ TEST_SUITE("column lightest") {
          "no section of IPE fits within h_max = 50 mm, b_max = 20 mm");
   }
 
-  TEST_CASE("each section has the strength of its own thickness, as by itself") {
+  TEST_CASE("each section has the strength of its own thickness, as when assessed singly") {
     struct Row {
       const char *families, *P, *section;
     };
@@ -316,7 +316,7 @@ TEST_SUITE("column lightest") {
     }
   }
 
-  TEST_CASE("strengths by thickness: typed in place of R_e, rising, and no section beyond them is judged") {
+  TEST_CASE("strengths by thickness: typed in place of R_e, ascending, and no section beyond them is assessed") {
     const std::string bar = replaced(text, "material = \"S235\"\n", "E = \"210 GPa\"\n") + "families = [\"HEM\"]\n";
     const std::string thin = "strengths = [[\"16 mm\", \"235 MPa\"], [\"40 mm\", \"225 MPa\"]]\n";
     CHECK(complaints(bar + thin).empty());
@@ -332,7 +332,7 @@ TEST_SUITE("column lightest") {
     CHECK(typed.value("bar.u")->si[0] == doctest::Approx(named.value("bar.u")->si[0]));
   }
 
-  TEST_CASE("Euler's formula ends where sections are stocky: that is said, not that they are too weak") {
+  TEST_CASE("Euler's formula ends where sections are stocky: this is reported, not that they are too weak") {
     auto in = column_of({"HEA"}, 300.0 * kN, 3.0 * m);
     in.method = Method::euler, in.R_e = unset<Stress>;
     in.sigma_P = 200.0 * MPa, in.n_st = 3.0;
@@ -344,7 +344,7 @@ TEST_SUITE("column lightest") {
                                                                    ": outside the range of the method");
   }
 
-  TEST_CASE("what is wrong is told at its place") {
+  TEST_CASE("wrong input is reported at its place") {
     says("families = [\"IPE\", \"IPX\"]\n" + text, "families[2].family: unknown family 'IPX' in the section tables");
     says(text, "'families' is missing");
     says("families = [\"IPE\", \"HEA\", \"IPE\"]\n" + text, "families[3].family: the family 'IPE' is named twice");
@@ -368,7 +368,7 @@ TEST_SUITE("column lightest") {
     says(factors, "partial factors of EN 1993-1-1 assumed: gamma_M1 = 1.0");
   }
 
-  TEST_CASE("the family of a row is what its name begins with") {
+  TEST_CASE("the family of a row is the beginning of its name") {
     CHECK(column::family_of("IPE 200") == "IPE");
     CHECK(column::family_of("W4X13") == "W");
     CHECK(column::family_of("L 20x20x3") == "L");

@@ -57,7 +57,7 @@ void at_every_position(const project::Project& project, const std::string& name,
 }  // namespace
 
 TEST_SUITE("mechanism accuracy") {
-  TEST_CASE("lengths of crank and rod: worst case and statistical error of the piston's place by hand") {
+  TEST_CASE("lengths of crank and rod: worst case and statistical error of the piston position by hand") {
     at_every_position(solved(press + crank_and_rod + of_piston), "place", [](double phi, double worst, double error) {
       const double s = std::sin(phi), by_r = (std::cos(phi) - r * s * s / root(r, l, phi)) * 2e-5,
                    by_l = l / root(r, l, phi) * 5e-5;
@@ -66,7 +66,7 @@ TEST_SUITE("mechanism accuracy") {
     });
   }
 
-  TEST_CASE("the effort of the drive goes with the derivative of the closed form") {
+  TEST_CASE("the effort of the drive follows the derivative of the closed form") {
     const std::string wanted = "accuracy.M = { of = \"drive\" }\n";
     at_every_position(solved(press + crank_and_rod + wanted), "M", [](double phi, double worst, double) {
       const double h = 1e-6;
@@ -76,7 +76,7 @@ TEST_SUITE("mechanism accuracy") {
     });
   }
 
-  TEST_CASE("a point that is no joint goes with its own coordinate, and nothing else does") {
+  TEST_CASE("a point that is not a joint follows its own coordinate, and nothing else does") {
     const auto project =
         solved(press + "tolerances.T = { of = \"x\", link = \"slider\", point = \"T\", t = \"0.1 mm\" }\n" + of_piston +
                "accuracy.tool = { of = \"x\", point = \"T\" }\n");
@@ -85,7 +85,7 @@ TEST_SUITE("mechanism accuracy") {
     at_every_position(project, "place", [](double, double worst, double) { CHECK(worst == 0.0); });
   }
 
-  TEST_CASE("a bearing on the ground, the angle of the crank, a mass that does not count at rest") {
+  TEST_CASE("a bearing on the ground, the angle of the crank, a mass without influence at rest") {
     const auto project =
         solved(press + "tolerances.O = { of = \"y\", link = \"ground\", point = \"O\", t = \"0.1 mm\" }\n" + of_piston);
     at_every_position(project, "place", [](double phi, double worst, double) {
@@ -101,7 +101,7 @@ TEST_SUITE("mechanism accuracy") {
     at_every_position(heavy, "place", [](double, double worst, double) { CHECK(worst == 0.0); });
   }
 
-  TEST_CASE("play in a pin counts half its diameter along the rod, whichever way it goes") {
+  TEST_CASE("clearance in a pin counts half its diameter along the rod, in either direction") {
     std::string text = press + "accuracy.place = { of = \"x\", point = \"B\", link = \"slider\" }\n";
     const std::string pin = "links = [\"rod\", \"slider\"]";
     text.insert(text.find(pin) + pin.size(), ", clearance = \"0.1 mm\"");
@@ -111,7 +111,7 @@ TEST_SUITE("mechanism accuracy") {
     });
   }
 
-  TEST_CASE("a part of a coefficient of friction is the same as its half width") {
+  TEST_CASE("a relative tolerance of a coefficient of friction is the same as its half width") {
     std::string text = press + "accuracy.M = { of = \"drive\" }\n";
     const std::string pin = "joints.A = { type = \"revolute\"";
     text.insert(text.find(pin) + pin.size(), ", mu = 0.2, pin_radius = \"10 mm\"");
@@ -137,7 +137,7 @@ TEST_SUITE("mechanism accuracy") {
     CHECK(std::get<Message>(found->rows[0][5]).text().starts_with("rod, 7"));
   }
 
-  TEST_CASE("what is wrong with tolerances and outputs is told") {
+  TEST_CASE("wrong tolerances and outputs are reported") {
     struct Wrong {
       std::string text, message;
     };

@@ -14,7 +14,7 @@ TEST_SUITE("mechanism aspects") {
     for (const Aspect* aspect : all_aspects()) CHECK((aspect->list == nullptr) == (aspect->add_outputs == nullptr));
   }
 
-  TEST_CASE("no result is documented twice for the same things") {
+  TEST_CASE("no result is documented twice for the same objects") {
     std::set<std::string> seen;
     for (const ResultPattern& p : result_patterns())
       CHECK(seen.insert(std::string(p.path) + " " + p.unit + " " + p.where).second);

@@ -82,7 +82,7 @@ TEST_SUITE("mechanism equilibrium") {
     for (const double M : series(turn, "a.drive.M")) CHECK(std::abs(M) < 1e-8);
   }
 
-  TEST_CASE("only the range that is given is searched, and a load moves the position") {
+  TEST_CASE("only the given range is searched, and a load moves the position") {
     const auto part = solved(ladder(R"(, at = ["10 deg", "80 deg"])"));
     CHECK(series(part, "a.equilibrium.phi").size() == 1);
     CHECK(series(part, "a.joints.B.F").size() == 1);
@@ -97,8 +97,7 @@ F_x = "0 N"
     CHECK(series(loaded, "a.equilibrium.phi")[0] == doctest::Approx(theta));
   }
 
-  TEST_CASE(
-      "random linkages: as many positions as a static cycle of 3,600 positions changes its sign, at the same places") {
+  TEST_CASE("random linkages: as many positions as sign changes of a static cycle of 3,600, at the same places") {
     std::mt19937 random(7);
     int found = 0;
     for (int n = 0; n < 25; ++n) {
@@ -127,7 +126,7 @@ F_x = "0 N"
     CHECK(found > 30);
   }
 
-  TEST_CASE("a linkage that does not turn round is searched on both sides of its gap") {
+  TEST_CASE("a linkage that cannot revolve is searched on both sides of its gap") {
     const std::string bar =
         replaced(replaced(bar_that_cannot_turn(72), "speed = \"60 rpm\", ", ""), "calculator = \"mechanism.planar\"\n",
                  "calculator = \"mechanism.planar\"\nanalysis = \"equilibrium\"\n");
@@ -144,7 +143,7 @@ F_x = "0 N"
     for (const double M : entry_of(found.project, "drive.M").value.si) CHECK(std::abs(M) < 1e-6);
   }
 
-  TEST_CASE("no position, no load, friction, a speed, two drives: told, and nothing is solved") {
+  TEST_CASE("no position, no load, friction, a speed, two drives: reported, and nothing is solved") {
     CHECK(issues_of(ladder(R"(, at = ["60 deg", "90 deg"])")).find("no position of equilibrium: it needs at least") !=
           std::string::npos);
     CHECK(issues_of(ladder(R"(, speed = "60 rpm")")).find("the crank is at rest") != std::string::npos);

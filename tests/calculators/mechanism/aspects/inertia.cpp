@@ -26,7 +26,7 @@ bool has(const project::Project& project, const std::string& path) {
 }  // namespace
 
 TEST_SUITE("mechanism inertia of links") {
-  TEST_CASE("a rotor out of balance: m r omega^2 outwards, -J epsilon") {
+  TEST_CASE("an unbalanced rotor: m r omega^2 outwards, -J epsilon") {
     const auto rotor = solved(R"([a]
 calculator = "mechanism.planar"
 crank = { joint = "O", speed = "20 rad/s", acceleration = "5 rad/s^2", at = ["0 deg", "90 deg"] }
@@ -47,7 +47,7 @@ joints.O = { links = ["ground", "rotor"] }
     }
   }
 
-  TEST_CASE("only links with a mass or an inertia have them, and only where inertia is included") {
+  TEST_CASE("only links with a mass or an inertia have inertia forces, and only where inertia is included") {
     const std::string text = press_of_heavy_rod;
     const auto press = solved(text);
     CHECK(has(press, "links.rod.F_i"));
@@ -58,7 +58,7 @@ joints.O = { links = ["ground", "rotor"] }
     CHECK_FALSE(has(still, "links.rod.F_i"));
   }
 
-  TEST_CASE("the work of the inertia of a heavy rod is that of the drive") {
+  TEST_CASE("the inertia work of a heavy rod is that of the drive") {
     const auto press = solved(press_of_heavy_rod);
     const auto &M = series(press, "press.drive.M"), &x = series(press, "press.links.rod.F_ix"),
                &y = series(press, "press.links.rod.F_iy"), &moment = series(press, "press.links.rod.M_i"),

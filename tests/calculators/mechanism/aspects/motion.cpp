@@ -37,7 +37,7 @@ double number_of(const account::Cell& cell) { return std::get<account::Quantity>
 }  // namespace
 
 TEST_SUITE("mechanism motion") {
-  TEST_CASE("a zero in the tables of the motion is a zero, and a direction is told one way") {
+  TEST_CASE("a zero in the tables of the motion is a zero, and a direction is given in one way") {
     for (const char* crank : {"start = \"-90.1 deg\", positions = 361", "start = \"-90 deg\"", "start = \"0 deg\""}) {
       CAPTURE(crank);
       const auto project = solved(replaced(piston, "positions = 72", crank));
@@ -82,7 +82,7 @@ TEST_SUITE("mechanism motion") {
     CHECK(both[0].hint.text() == "available: B_left; B_right");
   }
 
-  TEST_CASE("a parallelogram passes change points where it is flat, and that is not covered") {
+  TEST_CASE("a parallelogram passes change points in its flat positions, and that is not covered") {
     const auto flat = solved(head + R"(crank = { joint = "O", speed = "60 rpm", start = "31 deg", positions = 72 }
 ground = { O = ["0 mm", "0 mm"], C = ["400 mm", "0 mm"] }
 links.crank = { points = { O = ["0 mm", "0 mm"], A = ["100 mm", "0 mm"] }, angle = "31 deg" }
@@ -123,7 +123,7 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     CHECK(text_of(table->rows[0][4]) == "–");
   }
 
-  TEST_CASE("a transmission angle below 40 deg, and below 30 deg, is said") {
+  TEST_CASE("a transmission angle below 40 deg, and below 30 deg, is reported") {
     const auto remark = [](const char* coupler) {
       const auto project = solved(replaced(rocker, "b = \"350 mm\"", coupler));
       return text_of(table_of(project, "Transmission angles")->rows[0][4]);
@@ -151,7 +151,7 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
     CHECK(table_of(gears, "Assemblies") == nullptr);
   }
 
-  TEST_CASE("strokes: the piston's 2 r, the rocker's swing, a lever's quick return") {
+  TEST_CASE("strokes: the piston's 2 r, the rocker's swing angle, a lever's quick return") {
     CHECK(value(solved(piston), "a.joints.guide.stroke") == doctest::Approx(0.1));
     const auto angle = [](double reach) { return std::acos((0.16 + 0.09 - reach * reach) / 0.24); };
     const auto four_bar = solved(rocker);
@@ -176,7 +176,7 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
     CHECK(std::isnan(swing.si[0]));
   }
 
-  TEST_CASE("the pin in a slot: place, relative velocity, Coriolis acceleration 2 omega v_r") {
+  TEST_CASE("the pin in a slot: position, relative velocity, Coriolis acceleration 2 omega v_r") {
     const auto project = solved(lever);
     const auto& omega = value_of(project, "links.lever.omega").si;
     const auto& v_r = value_of(project, "joints.A.v_r").si;
@@ -187,7 +187,7 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
     CHECK(value_of(project, "joints.A.stroke").si[0] == doctest::Approx(0.06));
   }
 
-  TEST_CASE("derivatives do not depend on the speed of the crank, and are there when it stands") {
+  TEST_CASE("derivatives do not depend on the speed of the crank, and exist at standstill") {
     const auto fast = solved(rocker), still = solved(replaced(rocker, "60 rpm", "0 rpm"));
     const double speed = 2.0 * pi;
     for (const char* path : {"links.rocker.dphi", "links.coupler.d2phi", "points.B.dx", "points.B.dy"}) {
@@ -211,13 +211,13 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
     CHECK(text_of(last[2]) == "at infinity, towards 90 deg");
   }
 
-  TEST_CASE("other steps take a swing as one value") {
+  TEST_CASE("other steps take a swing angle as one value") {
     const auto project = solved(rocker + "[b]\ncalculator = \"shaft.torsion\"\n" +
                                 "T = \"=100 N*m * a.links.rocker.swing\"\ntau_adm = \"30 MPa\"\nd = \"60 mm\"\n");
     CHECK(value(project, "b.T") == doctest::Approx(100.0 * value(project, "a.links.rocker.swing")));
   }
 
-  TEST_CASE("a change point that is hit is told, and what lies beyond it is solved") {
+  TEST_CASE("a change point that is hit is reported, and positions beyond it are solved") {
     const std::string parallel = R"([par]
 calculator = "mechanism.planar"
 crank = { joint = "O1", speed = "60 rpm", positions = 72, start = "90 deg" }

@@ -53,7 +53,7 @@ const account::Cell* cell_of(const account::Table& table, const std::string& sta
 }  // namespace
 
 TEST_SUITE("mechanism rest") {
-  TEST_CASE("runs of positions: each by itself, and in a cycle over its end") {
+  TEST_CASE("runs of positions: each by itself, and in a cycle across its end") {
     const std::vector<bool> positions{true, false, true, true, true, false, true, true};
     const auto open = planar::runs_of(positions, true, false);
     REQUIRE(open.size() == 3);
@@ -69,7 +69,7 @@ TEST_SUITE("mechanism rest") {
     CHECK(planar::runs_of({true, true}, false, true).empty());
   }
 
-  TEST_CASE("a block that jams when it is pushed off its middle at rest, and comes back") {
+  TEST_CASE("a block that jams when it is pushed off centre at rest, and its return") {
     // F = P / (1 - 2 mu h / l) has no positive value.
     const auto jam = solved(block_that_jams(R"({ joint = "rail" })"));
     CHECK(value(jam, "a.cylinders.drive.F_backward") == doctest::Approx(100.0 / (1.0 + 500.0 / 400.0)));
@@ -81,7 +81,7 @@ TEST_SUITE("mechanism rest") {
           "at rest friction acts in either direction, and no effort of the drive starts it forward; state 'impending'");
   }
 
-  TEST_CASE("what pushes a block up a plane, what lets it down, and that steeper than arctan mu it slides back") {
+  TEST_CASE("the force that pushes a block up a plane, that which lets it down, and sliding back beyond arctan mu") {
     for (const double degrees : {10.0, 30.0}) {
       const auto project = solved(plane(std::to_string(degrees) + " deg", ""));
       const double a = degrees * pi / 180.0, up = 1000.0 * (std::sin(a) + 0.3 * std::cos(a));
@@ -129,7 +129,7 @@ TEST_SUITE("mechanism rest") {
     CHECK(said("mu = 0.1, mu_s = 0.1, v_s = \"1 m/s\"").find("error") == std::string::npos);
   }
 
-  TEST_CASE("a drive that is about to move says which way, and one that moves does not") {
+  TEST_CASE("a drive at impending motion gives its direction, and a moving one does not") {
     const auto up = solved(plane("10 deg", ", impending = \"forward\""));
     CHECK(value(up, "a.cylinders.push.F") == value(up, "a.cylinders.push.F_forward"));
     CHECK(value(up, "a.cylinders.push.F_min") == value(up, "a.cylinders.push.F_max"));
@@ -141,7 +141,7 @@ TEST_SUITE("mechanism rest") {
           std::string::npos);
   }
 
-  TEST_CASE("a slider-crank: what its slide does at the dead points is a band, elsewhere one value") {
+  TEST_CASE("a slider-crank: the effort at the dead points of the slide is a range, elsewhere one value") {
     const std::string text = R"([a]
 calculator = "mechanism.planar"
 template = "slider_crank"
@@ -168,7 +168,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
     CHECK(text_of(table->rows[0][0]) == "0 deg");
   }
 
-  TEST_CASE("gears pass on their efficiency's part, and the flank changes with the sign of the moment") {
+  TEST_CASE("gears pass on the power times their efficiency, and the flank changes with the sign of the moment") {
     const auto project = solved(gears);
     const Value& drive = *project.value("a.drive.P");
     const Value& lost = *project.value("a.drive.P_loss");
@@ -185,7 +185,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
     CHECK(text_of(table->rows[0][1]) == "135 deg, 315 deg");
   }
 
-  TEST_CASE("of a worm and a lift, the report says that it at rest without its drive, and the reversed flow by name") {
+  TEST_CASE("a worm and a lift: the report states rest without the drive, and the efficiency of the reversed flow") {
     std::string lift =
         replaced(gears, ", over = [[\"0 deg\", 1], [\"90 deg\", 1], [\"180 deg\", -1], [\"270 deg\", -1]]", "");
     lift = replaced(lift, "efficiency = 0.9", "efficiency = 0.4, efficiency_back = -0.5");
@@ -208,7 +208,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
     }
   }
 
-  TEST_CASE("an efficiency belongs to teeth and belts") {
+  TEST_CASE("an efficiency belongs to gears and belts") {
     CHECK(issues_of(replaced(gears, "type = \"revolute\", links = [\"ground\", \"wheel\"]",
                              "type = \"revolute\", links = [\"ground\", \"wheel\"], efficiency = 0.9"))
               .find("error: 'efficiency' belongs to teeth and belts, and 'C' is of type revolute\n") !=

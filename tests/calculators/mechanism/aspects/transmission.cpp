@@ -43,7 +43,7 @@ const account::Mode& mode_of(const account::Modes& modes, const std::string& id)
 }  // namespace
 
 TEST_SUITE("mechanism limits of force transmission") {
-  TEST_CASE("without a limit the transmission angle is shown only") {
+  TEST_CASE("without a limit the transmission angle is only shown") {
     const auto project = solved(rocker(""));
     CHECK(find_verdict(project, "transmission_B") == nullptr);
     const account::Modes& modes = project.steps[0]->account().modes;
@@ -74,7 +74,7 @@ TEST_SUITE("mechanism limits of force transmission") {
           account::State::pass);
   }
 
-  TEST_CASE("the limit of a joint takes the place of that of the mechanism") {
+  TEST_CASE("the limit of a joint replaces that of the mechanism") {
     const auto own = solved(rocker("gamma_min = \"40 deg\"\njoints.B.gamma_min = \"30 deg\"\n", "220 mm"));
     CHECK(verdict_of(own, "transmission_B").bound.text() == "at least 30 deg");
     const auto alone = solved(rocker("joints.B.gamma_min = \"60 deg\"\n"));
@@ -90,7 +90,7 @@ TEST_SUITE("mechanism limits of force transmission") {
     CHECK(v.state == account::State::pass);
   }
 
-  TEST_CASE("a limit where there is no transmission angle is refused") {
+  TEST_CASE("a limit without a transmission angle is refused") {
     CHECK(issues_of(rocker("joints.B.gamma_min = \"2 deg\"\n")).find("gamma_min") != std::string::npos);  // jams
     CHECK(issues_of(rocker("joints.A.gamma_min = \"40 deg\"\n"))
               .find("error: joint 'A' has no transmission angle: it is not the inner joint of a dyad") !=
@@ -122,14 +122,14 @@ TEST_SUITE("mechanism limits of force transmission") {
     CHECK(find_verdict(solved(guided_dyad("guide_length = \"80 mm\"")), "arm_guide") == nullptr);
   }
 
-  TEST_CASE("only a slide has a guide") {
+  TEST_CASE("only a sliding pair has a guide") {
     const std::string text = replaced(guided_dyad("mu = 0"), "links = [\"link3\", \"link2\"] }",
                                       "links = [\"link3\", \"link2\"], h_max = \"40 mm\" }");
     CHECK(issues_of(text).find("error: 'h_max' belongs to prismatic joints, and 'B' is of type revolute") !=
           std::string::npos);
   }
 
-  TEST_CASE("a guide that carries a couple only has no arm within any length") {
+  TEST_CASE("a guide that carries only a couple has no arm within any length") {
     // A couple on a block that is driven along its guide.
     const std::string couple = head + R"(analysis = "static"
 ground.O = ["0 mm", "0 mm"]

@@ -28,7 +28,7 @@ struct Resting {
 }  // namespace
 
 TEST_SUITE("mechanism rounding") {
-  TEST_CASE("what is far below what the links have is a zero, of a moment of inertia too") {
+  TEST_CASE("a value far below those of the links is zero, also of a moment of inertia") {
     const Resting resting;
     Value inertia{{kg_m2.dimension(), nullptr}, {7.4e-69, 0.033, 1e-9}};
     ResultRounding(resting.model, magnitudes_of(resting.model, resting.cycle)).clear(inertia, false);
@@ -36,7 +36,7 @@ TEST_SUITE("mechanism rounding") {
     CHECK(inertia.rounding > 0.0);
   }
 
-  TEST_CASE("a direction along the axis is 0 or half a turn, whatever the sign of its rounding") {
+  TEST_CASE("a direction along the axis is 0 or half a turn, whatever the sign of its rounding error") {
     for (const double off : {-1e-16, -0.0, 0.0, 1e-16}) {
       CHECK(direction_of({2.0, off}) == 0.0);
       CHECK(direction_of({-2.0, off}) == pi);
@@ -45,7 +45,7 @@ TEST_SUITE("mechanism rounding") {
     CHECK(direction_of({-1.0, -1.0}) == std::atan2(-1.0, -1.0));
   }
 
-  TEST_CASE("the angle of a link at half a turn is positive, unless it comes there from below") {
+  TEST_CASE("the angle of a link at half a turn is positive, unless it is reached from below") {
     const Resting resting;
     const ResultRounding rounding(resting.model, magnitudes_of(resting.model, resting.cycle));
     Value phi{{deg.dimension(), nullptr}, {-pi, pi, -3.0, -pi + 1e-16}}, plain = phi;
@@ -57,7 +57,7 @@ TEST_SUITE("mechanism rounding") {
     CHECK(plain.si[0] < 0.0);
   }
 
-  TEST_CASE("the symbol of the axis is that of what is counted: time t, stroke s, crank angle phi") {
+  TEST_CASE("the symbol of the axis is that of its variable: time t, stroke s, crank angle phi") {
     const auto symbol = [](const char* quantity) {
       Axis axis;
       axis.quantity = quantity;

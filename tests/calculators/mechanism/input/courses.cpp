@@ -31,10 +31,10 @@ void check_moments(const std::string& text, double at_30, double at_140, double 
 }  // namespace
 
 TEST_SUITE("courses") {
-  TEST_CASE("without a course the load is constant") {
+  TEST_CASE("without a load curve the load is constant") {
     check_moments(press("", ""), -30.455447256929, -25.903286517368, 42.851539553183);
   }
-  TEST_CASE("a load over the stroke goes by the place of the slide") {
+  TEST_CASE("a load over the stroke follows the position of the slide") {
     const std::string course = "over_stroke = [[\"150 mm\", 0], [\"250 mm\", 1]]";
     check_moments(by_course(course), -27.937579250474, -2.3568204404747, 11.699233925168);
     check_moments(by_course(course) + "courses.it.stroke_of = \"guide\"\n", -27.937579250474, -2.3568204404747,
@@ -50,19 +50,19 @@ TEST_SUITE("courses") {
     const auto p = solved(by_course("over_time = [[\"0 s\", 0], [\"0.5 s\", 1], [\"1 s\", 0]]"));
     CHECK(moment(p, 30) == doctest::Approx(-30.455447256929 / 6.0).epsilon(1e-9));
   }
-  TEST_CASE("beyond the points of a course its mechanism is not covered") {
+  TEST_CASE("beyond the points of a load curve its mechanism is not covered") {
     const auto p = solved(by_course("over_stroke = [[\"160 mm\", 0], [\"250 mm\", 1]]"));
     CHECK(verdict_of(p, "course_it").state == account::State::not_covered);
     const auto whole = solved(by_course("over_stroke = [[\"150 mm\", 0], [\"250 mm\", 1]]"));
     CHECK(verdict_of(whole, "course_it").state == account::State::pass);
   }
-  TEST_CASE("a thousand shares over the crank angle are as good as three") {
+  TEST_CASE("a thousand factors over the crank angle are as good as three") {
     std::string shares;
     for (int k = 0; k < 1000; ++k)
       shares += (k == 0 ? "[\"" : ", [\"") + std::to_string(0.36 * k) + " deg\", " + std::to_string(k % 7) + "]";
     CHECK(told(press(", over = [" + shares + "]", "")).issues.empty());
   }
-  TEST_CASE("rows may stand in a file beside the project") {
+  TEST_CASE("rows may be in a file next to the project") {
     const Desk desk;
     desk.put("p.toml", by_course("over_stroke = { file = \"diagram.csv\" }"));
     const std::string inside = by_course("over_stroke = [[\"15 cm\", 0], [\"20 cm\", 0.4], [\"25 cm\", 1]]");
@@ -76,7 +76,7 @@ TEST_SUITE("courses") {
       CHECK(ran.out == same.out);
     }
   }
-  TEST_CASE("a file of rows is no place for an output") {
+  TEST_CASE("a file of rows is not overwritten by an output") {
     const Desk desk;
     const std::string rows = "s [cm], share\n15, 0\n20, 0.4\n25, 1\n";
     desk.put("p.toml", by_course("over_stroke = { file = \"diagram.csv\" }"));
@@ -86,7 +86,7 @@ TEST_SUITE("courses") {
     CHECK(ran.error.find("'./diagram.csv' is read by the project: nothing is written") != std::string::npos);
     CHECK(desk.get("diagram.csv") == rows);
   }
-  TEST_CASE("what is wrong with a file of rows is said") {
+  TEST_CASE("errors in a file of rows are reported") {
     const Desk desk;
     desk.put("p.toml", by_course("over_stroke = { file = \"diagram.csv\" }"));
     const auto said = [&](const std::string& rows) {
@@ -101,7 +101,7 @@ TEST_SUITE("courses") {
     CHECK(said("s [mm], part\n150, 0\n250, 1\n").find("'part' is not a valid key here") != std::string::npos);
     CHECK(said("s [kg], share\n150, 0\n250, 1\n").find("a mass") != std::string::npos);
   }
-  TEST_CASE("a list without a bound still refuses what fills the memory") {
+  TEST_CASE("a list without an upper bound still refuses what fills the memory") {
     const Desk desk;
     std::string rows = "s [mm], share\n";
     for (int k = 0; k <= 100000; ++k) rows += std::to_string(k) + ", 1\n";
@@ -109,7 +109,7 @@ TEST_SUITE("courses") {
     desk.put("p.toml", by_course("over_stroke = { file = \"diagram.csv\" }"));
     CHECK(desk.run({"run", "p.toml"}).error.find("at most 100000 over_stroke; here are 100001") != std::string::npos);
   }
-  TEST_CASE("what a course cannot say is told") {
+  TEST_CASE("what a load curve cannot express is reported") {
     CHECK(first_error(by_course("stroke_of = \"guide\"")) ==
           "a load curve has its shares in one of five forms, and 'it' in none");
     CHECK(first_error(by_course("over_stroke = [[\"250 mm\", 0], [\"150 mm\", 1]]")) ==

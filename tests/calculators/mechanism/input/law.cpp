@@ -51,7 +51,7 @@ TEST_SUITE("mechanism law") {
     }
   }
 
-  TEST_CASE("where a law turns round, friction acts either way, and the moment is a band about that without it") {
+  TEST_CASE("where a law reverses, friction acts either way, and the moment is a range around that without it") {
     std::string text = by(arm, "angle_of_t = \"90 deg*sin(2*pi*t/(2 s))\", duration = \"2 s\"");
     const std::string pin = "links = [\"ground\", \"arm\"]";
     text.replace(text.find(pin), pin.size(), pin + ", mu = 0.1, pin_radius = \"10 mm\"");
@@ -78,7 +78,7 @@ TEST_SUITE("mechanism law") {
       CHECK(F.si[k] == doctest::Approx(4.0 * 0.02 * pi * pi * std::cos(pi * static_cast<double>(k) / 20.0)).scale(1.0));
   }
 
-  TEST_CASE("a law that swings beyond its points is warned of, and a monotone one does not") {
+  TEST_CASE("a law that overshoots its points gives a warning, and a monotone one does not") {
     const std::string points = "law = [[\"0 s\", \"0 deg\"], [\"1 s\", \"90 deg\"], [\"2 s\", \"90 deg\"]]";
     CHECK(says(by(arm, points),
                "warning: the law swings beyond its points: to 100 deg at 1.333 s, which is 10 deg too far"));
@@ -86,7 +86,7 @@ TEST_SUITE("mechanism law") {
     CHECK(maximum(*calm.value("a.links.arm.phi")).value == doctest::Approx(pi / 2.0).epsilon(1e-9));
   }
 
-  TEST_CASE("what is wrong with a formula") {
+  TEST_CASE("errors in a formula") {
     const auto crank = [](const std::string& law) { return by(arm, law); };
     CHECK(says(crank("angle_of_t = \"30 deg*t\", duration = \"1 s\""),
                "error: the law gives the kind 'quantity in s*rad', and 'angle' is expected"));

@@ -63,7 +63,7 @@ std::string message_of(const std::string& part, const std::string& other) {
 }  // namespace
 
 TEST_SUITE("mechanism faults") {
-  TEST_CASE("a train that is not back after its turns has no cycle; with crank angles none is asked for") {
+  TEST_CASE("a train that is not back after its revolutions has no cycle; with crank angles no cycle is needed") {
     const auto once = solved(press);
     CHECK(verdict_of(once, "returns").state == account::State::fail);
     CHECK(verdict_of(once, "returns").note.text() ==
@@ -74,7 +74,7 @@ TEST_SUITE("mechanism faults") {
     CHECK(find_verdict(given, "returns") == nullptr);
   }
 
-  TEST_CASE("the geared press is sound") { CHECK(issues_of(press).empty()); }
+  TEST_CASE("the geared press has no errors") { CHECK(issues_of(press).empty()); }
 
   TEST_CASE("fields that a joint's type does not take, or needs") {
     CHECK(message_of("links = [\"wheel\", \"rod\"] }", "links = [\"wheel\", \"rod\"], guide_length = \"20 mm\" }") ==
@@ -127,7 +127,7 @@ TEST_SUITE("mechanism faults") {
               .empty());
   }
 
-  TEST_CASE("a link that is said to be a uniform bar") {
+  TEST_CASE("a link that is stated to be a uniform bar") {
     CHECK(message_of("angle = \"-10 deg\"",
                      "angle = \"-10 deg\"\nmass = \"2 kg\"\nS = \"A\"\nJ = \"0 kg*m^2\"\nmass_line = \"uniform\"") ==
           "link 'rod' is not a uniform bar of 150 mm, which has its mass centre in the middle and J = 0.00375 kg·m²");
@@ -135,7 +135,7 @@ TEST_SUITE("mechanism faults") {
 }
 
 TEST_SUITE("mechanism loads") {
-  TEST_CASE("a load's share goes straight from each crank angle to the next, and round to the first") {
+  TEST_CASE("a load's factor is linear from each crank angle to the next, and around to the first") {
     planar::Load load;
     CHECK(share_at(load, 1.0, 2.0 * pi) == 1.0);
     load.over.resize(3);

@@ -44,14 +44,14 @@ TEST_SUITE("masses of links") {
     CHECK(value(solved(written(", mass = \"3 kg\"")), "a.links.rod.J") == doctest::Approx(3.0 * 0.04 / 12.0));
   }
 
-  TEST_CASE("a mass centre of its own wants the inertia, but where no inertia counts") {
+  TEST_CASE("a typed mass centre needs the inertia, except where inertia is not included") {
     const std::string own = ", mass = \"3 kg\", S = \"C\"";
     CHECK(first_error(written(own)).starts_with("'links.rod.J' is missing"));
     CHECK(told(written(own + ", J = \"0.01 kg*m^2\"")).issues.empty());
     CHECK(told(written(own) + "analysis = \"static\"\n").issues.empty());
   }
 
-  TEST_CASE("what is neither a bar nor a block says where its mass lies") {
+  TEST_CASE("a link that is neither a bar nor a block states where its mass is") {
     CHECK(first_error(replaced(written(", mass = \"3 kg\""), "C = [\"80 mm\"", "C = [\"280 mm\""))
               .starts_with("the point 'C' of 'rod' lies beyond its joints"));
     const std::string pendulum = R"([a]

@@ -29,7 +29,7 @@ TEST_SUITE("references to a mechanism") {
     CHECK(moment_of("press.crank.positions * 1 N*m") == doctest::Approx(12.0));
   }
 
-  TEST_CASE("a length that another step gives goes through the template to the column of the rod") {
+  TEST_CASE("a length from another step goes through the template to the column of the rod") {
     const std::string rod =
         "[rod]\ncalculator = \"column.buckling\"\nN = \"=press.links.rod.N\"\nl = \"=press.links.rod.length\"\n"
         "d = \"30 mm\"\nends = \"pinned_pinned\"\nmaterial = \"C45E\"\nmethod = \"johnson\"\nn_st = 3\n";
@@ -40,7 +40,7 @@ TEST_SUITE("references to a mechanism") {
     CHECK(value(p, "press.links.rod.length") == doctest::Approx(0.25));
   }
 
-  TEST_CASE("what is not given is no value") {
+  TEST_CASE("a field that is not given has no value") {
     const auto said = [](const std::string& path) {
       return first_error(press + axle + "T = \"=" + path + " * 1 N*m\"\ntau_adm = \"30 MPa\"\n");
     };

@@ -130,7 +130,7 @@ TEST_SUITE("mechanism cams") {
   }
 
   // 894.58 rpm from m s'' omega^2 = spring and weight, over both segments.
-  TEST_CASE("above a speed the follower lifts off, but not out of a groove") {
+  TEST_CASE("above a certain speed the follower lifts off, but not out of a groove") {
     CHECK(state_of(solved(changed("300 rpm", "890 rpm")), "contact_contact") == account::State::pass);
     const auto fast = solved(changed("300 rpm", "900 rpm"));
     CHECK(state_of(fast, "contact_contact") == account::State::fail);
@@ -139,7 +139,7 @@ TEST_SUITE("mechanism cams") {
     CHECK(find_verdict(solved(replaced(groove, "300 rpm", "900 rpm")), "contact_contact") == nullptr);
   }
 
-  TEST_CASE("an undercut profile and a roller that does not reach into a hollow fail, with the cam angle") {
+  TEST_CASE("an undercut profile and a roller too large for a hollow fail, with the cam angle") {
     const auto undercut =
         solved(changed("base = \"30 mm\"\nroller = \"10 mm\"", "base = \"4 mm\"\nroller = \"28 mm\""));
     CHECK(state_of(undercut, "profile_contact") == account::State::fail);
@@ -152,7 +152,7 @@ TEST_SUITE("mechanism cams") {
     CHECK(issues[0].message.text().ends_with("and the roller of 150 mm does not reach into it"));
   }
 
-  TEST_CASE("what is wrong with a cam is said at its place") {
+  TEST_CASE("errors in a cam are reported at their place") {
     CHECK(said("profile = \"lobe\"", "profile = \"lob\"") == "valve.joints.contact.profile: unknown profile 'lob'");
     CHECK(said("profile = \"lobe\", ", "") == "valve.joints.contact: joint 'contact' of type cam needs 'profile'");
     CHECK(said("direction = \"90 deg\" }\ng", "direction = \"90 deg\", mu = 0.1 }\ng") ==
@@ -161,7 +161,7 @@ TEST_SUITE("mechanism cams") {
           "valve.joints.guide.holding: 'holding' belongs to cams, and 'guide' is of type prismatic");
   }
 
-  TEST_CASE("what is wrong with a profile is said at its place") {
+  TEST_CASE("errors in a profile are reported at their place") {
     CHECK(said("law = \"cycloidal\"", "law = \"constant_velocity\"") ==
           "valve.profiles.lobe.segments[1].law: at the ends of a segment with constant velocity the acceleration is "
           "infinite");
@@ -202,7 +202,7 @@ TEST_SUITE("mechanism cams") {
     }
   }
 
-  TEST_CASE("a swinging face: undercut, and what its profile cannot be") {
+  TEST_CASE("a swinging face: undercut, and profiles that are not possible") {
     CHECK(state_of(solved(replaced(rocker, "base = \"30 mm\"", "base = \"5 mm\"")), "profile_contact") ==
           account::State::fail);
     const auto said_of = [](const std::string& text) {
@@ -229,7 +229,7 @@ TEST_SUITE("mechanism cams") {
         said_of(fast).ends_with("deg the face swings as fast as the cam turns, or faster, and no profile touches it"));
   }
 
-  TEST_CASE("of a template's cam it is said under the parameter") {
+  TEST_CASE("an error in a template's cam is reported under the parameter") {
     const std::string arm =
         "[a]\ncalculator = \"mechanism.planar\"\ntemplate = \"cam_arm\"\nbase = \"30 mm\"\nroller = \"8 mm\"\n"
         "pivot = \"80 mm\"\narm = \"70 mm\"\ncrank = { speed = \"60 rpm\" }\nsegments = [{ law = \"3-4-5\", angle = "

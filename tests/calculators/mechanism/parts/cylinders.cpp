@@ -64,7 +64,7 @@ cylinders.ram = { joint = "bore", from = "1 m", to = "1.2 m", speed = "50 mm/s" 
       check_series(by_hand, path, series(solved(lifted()), path));
   }
 
-  TEST_CASE("a given force pushes its ends apart, whatever its length") {
+  TEST_CASE("a given force pushes the ends apart, whatever the length") {
     const auto p = solved(pushed(""));
     check_series(p, "drive.M", {6687.1952905097, 6890.7928465370, 3765.7685722881});
     check_series(p, "cylinders.ram.F", {20e3, 20e3, 20e3});
@@ -73,14 +73,14 @@ cylinders.ram = { joint = "bore", from = "1 m", to = "1.2 m", speed = "50 mm/s" 
     check_series(p, "cylinders.ram.P", {26625.609418981, 23806.119138362, 18179.967242885});
   }
 
-  TEST_CASE("its force may follow its length, as that of a gas spring") {
+  TEST_CASE("the force may follow the length, as that of a gas spring") {
     const auto p =
         solved(pushed(", course = \"gas\"") + "courses.gas.over_stroke = [[\"0.7 m\", 1], [\"1.3 m\", 0.4]]\n");
     check_series(p, "cylinders.ram.F",
                  {20e3 * (1.0 - 0.02111025509280), 20e3 * (1.0 - 0.24177282838786), 20e3 * (1.0 - 0.5182030188745)});
   }
 
-  TEST_CASE("what a cylinder cannot be is said") {
+  TEST_CASE("an impossible cylinder is reported") {
     const auto with = [](const std::string& cylinder) {
       return first_error(boom + "cylinders.ram = { " + cylinder + " }\n");
     };

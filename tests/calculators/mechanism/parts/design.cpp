@@ -64,7 +64,7 @@ const std::string rotating = ", mass = \"2 kg\", J = \"0 kg*m^2\", S = \"S\"";  
 }  // namespace
 
 TEST_SUITE("mechanism design") {
-  TEST_CASE("a counterweight takes all of a rotating mass") {
+  TEST_CASE("a counterweight balances all of a rotating mass") {
     const auto project =
         solved(press(rotating, "") + "counterweights.w = { link = \"crank\", at = \"O\", radius = \"50 mm\" }\n");
     CHECK(number_of(project, "counterweights.w.mr") == doctest::Approx(std::hypot(0.08, 0.04)).epsilon(1e-9));
@@ -78,7 +78,7 @@ TEST_SUITE("mechanism design") {
     CHECK(value_of(project, "frame.F_balanced").si.size() == 36);
   }
 
-  TEST_CASE("in a stated direction it takes what lies in it") {
+  TEST_CASE("in a stated direction it balances the component in it") {
     const std::string text = "counterweights.w = { link = \"crank\", at = \"O\", direction = \"180 deg\" }\n";
     const auto rms = solved(press(rotating, "") + text);
     CHECK(number_of(rms, "counterweights.w.mr") == doctest::Approx(0.08).epsilon(1e-9));
@@ -99,7 +99,7 @@ TEST_SUITE("mechanism design") {
     CHECK(number_of(rms, "frame.F_peak_balanced") > number_of(peak, "frame.F_peak_balanced"));
   }
 
-  TEST_CASE("what is wrong with counterweights is told") {
+  TEST_CASE("wrong counterweights are reported") {
     const std::string sound = press(rotating, "");
     check_said(sound + "counterweights.w = { link = \"crnk\", at = \"O\" }\n", "unknown link 'crnk'");
     check_said(sound + "counterweights.w = { link = \"crank\", at = \"B\" }\n", "the link 'crank' has no point 'B'");
@@ -118,7 +118,7 @@ TEST_SUITE("mechanism design") {
                "counterweights need a full revolution of a crank, and there is none");
   }
 
-  TEST_CASE("a rod reduced to two masses is one with their moment of inertia; to three it stays as it is") {
+  TEST_CASE("a rod reduced to two masses is one with their moment of inertia; with three it is unchanged") {
     const std::string rod = ", mass = \"3 kg\", S = \"C\", J = ";
     const std::string points = ", mass_points = [\"A\", \"B\"]";
     // 3 kg at 80 of 200 mm: 1.8 kg at A, 1.2 kg at B.
@@ -135,7 +135,7 @@ TEST_SUITE("mechanism design") {
     }
   }
 
-  TEST_CASE("what is wrong with masses in points is told") {
+  TEST_CASE("wrong point masses are reported") {
     const std::string rod = ", mass = \"3 kg\", J = \"0.02 kg*m^2\", masses = \"two_points\"";
     check_said(press("", rod), "the mass of 'rod' is reduced to points, and they are not named");
     check_said(press("", ", mass = \"3 kg\", mass_points = [\"A\", \"B\"]"),
@@ -149,7 +149,7 @@ TEST_SUITE("mechanism design") {
                "the link 'rod' has no mass to reduce to points");
   }
 
-  TEST_CASE("efficiency: useful work over the work of the drive, or why there is none") {
+  TEST_CASE("efficiency: useful work over the work of the drive, or the reason for none") {
     const std::string rubbing = "joints.O = { type = \"revolute\", links = [\"crank\", \"ground\"]";
     const auto with_friction = [&](std::string text) {
       return text.insert(text.find(rubbing) + rubbing.size(), ", mu = 0.1, pin_radius = \"20 mm\"");
@@ -200,7 +200,7 @@ joints.mesh = { type = "gear", links = ["worm", "wheel"], points = ["O", "C"], r
     CHECK(number_of(worm("100 N*m", "-0.5"), "drive.efficiency") == doctest::Approx(0.4).epsilon(1e-9));
   }
 
-  TEST_CASE("spans of a belt: their difference carries the moment, the slack one its tension") {
+  TEST_CASE("spans of a belt: their difference carries the moment, the slack one has its tension") {
     const auto drive = [](const std::string& type) {
       return solved(
           head + turn + R"(ground = { O = ["0 mm", "0 mm"], Q = ["300 mm", "0 mm"] }
@@ -226,7 +226,7 @@ loads = [{ link = "large", M = "-20 N*m" }]
     CHECK(number_of(other, "joints.belt.wrap_second") == doctest::Approx(pi + 2.0 * crossed).epsilon(1e-12));
   }
 
-  TEST_CASE("what rounding leaves of a zero is one, and a constant is one") {
+  TEST_CASE("the rounding error of a zero is a zero, and that of a constant a constant") {
     const auto project =
         solved(press(rotating, "", "loads = [{ link = \"slider\", at = \"B\", F_x = \"-1 kN\", F_y = \"0 N\" }]\n"));
     for (const char* path : {"points.B.y", "points.B.v_y", "points.B.a_y", "joints.guide.h", "links.slider.phi"}) {
@@ -239,7 +239,7 @@ loads = [{ link = "large", M = "-20 N*m" }]
     CHECK_FALSE(is_constant(value_of(project, "points.B.x")));
   }
 
-  TEST_CASE("hodographs of the busiest pins, and of those that are named") {
+  TEST_CASE("hodographs of the pins with the largest forces, and of those that are named") {
     const std::string load = "loads = [{ link = \"slider\", at = \"B\", F_x = \"-1 kN\", F_y = \"0 N\" }]\n";
     const auto all = solved(press("", "", load));
     const figure::Figure* figure = figure_of(all, "hodograph-A");
@@ -268,7 +268,7 @@ loads = [{ link = "large", M = "-20 N*m" }]
     check_said(press("", "", load) + "hodographs = [\"A\", \"A\"]\n", "the joint 'A' is named twice");
   }
 
-  TEST_CASE("a hodograph that is asked for and cannot be drawn is told") {
+  TEST_CASE("a requested hodograph that cannot be drawn is reported") {
     const std::string note = "No hodograph of 'A': it has no force at any position.";
     CHECK(says(solved(press("", "") + "hodographs = [\"A\"]\n"), note));
     CHECK_FALSE(says(solved(press("", "")), note));
@@ -278,7 +278,7 @@ loads = [{ link = "large", M = "-20 N*m" }]
     CHECK(says(solved(still + "hodographs = [\"A\"]\n"), "No hodographs: they need more than one position."));
   }
 
-  TEST_CASE("what is not a cycle is not called one") {
+  TEST_CASE("a range that is not a cycle is not called one") {
     const std::string load = "loads = [{ link = \"slider\", at = \"B\", F_x = \"-1 kN\", F_y = \"0 N\" }]\n";
     const auto turned = solved(press("", "", load));
     CHECK(table_of(turned, "Extreme values over the cycle") != nullptr);
@@ -289,7 +289,7 @@ loads = [{ link = "large", M = "-20 N*m" }]
     CHECK(figure_of(given, "reactions")->caption == "Forces in the joints over the positions");
   }
 
-  TEST_CASE("a report cites what it uses") {
+  TEST_CASE("a report cites its sources") {
     const auto cited = [](const project::Project& project) { return project.steps[0]->account().sources; };
     CHECK(cited(solved(press("", ""))).empty());
     const std::string tolerance =

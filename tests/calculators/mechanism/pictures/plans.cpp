@@ -69,7 +69,7 @@ figure::Point last_of(const figure::Plan& plan) {
 }  // namespace
 
 TEST_SUITE("mechanism plans") {
-  TEST_CASE("the forces on every link close a polygon") {
+  TEST_CASE("the forces on every link form a closed polygon") {
     at_positions([](const PlanSubject& subject) {
       for (std::size_t k = 0; k < subject.model.links.size(); ++k) {
         const figure::Plan plan = force_plan(subject, static_cast<int>(k));
@@ -81,7 +81,7 @@ TEST_SUITE("mechanism plans") {
     });
   }
 
-  TEST_CASE("the sides of a force plan are the loads, the weight, the inertia and the joints' forces by name") {
+  TEST_CASE("the sides of a force plan are the loads, the weight, the inertia and the joint forces by name") {
     const mechanism::Model model = models::slider_crank();
     mechanism::WholeSystem system(model);
     REQUIRE(system.assemble() == mechanism::Status::closed);
@@ -104,7 +104,7 @@ TEST_SUITE("mechanism plans") {
     CHECK(length(named(on_piston, "R_B").force + named(on_rod, "R_B").force) == 0.0);
   }
 
-  TEST_CASE("the velocity image of a link is similar to it, by its angular velocity and turned by a right angle") {
+  TEST_CASE("the velocity image of a link is similar to it, scaled by its angular velocity and turned by 90 deg") {
     const mechanism::Model model = models::class_three();
     mechanism::WholeSystem system(model);
     REQUIRE(system.assemble() == mechanism::Status::closed);
@@ -123,7 +123,7 @@ TEST_SUITE("mechanism plans") {
     }
   }
 
-  TEST_CASE("no two points of a plan have one label, nor one that of the pole") {
+  TEST_CASE("no two points of a plan have the same label, nor that of the pole") {
     const mechanism::Model model = models::slider_crank();
     mechanism::WholeSystem system(model);
     REQUIRE(system.assemble() == mechanism::Status::closed);
@@ -142,7 +142,7 @@ TEST_SUITE("mechanism plans") {
           std::vector<std::string>{"p_a", "p′", "p′′", "a", "p_a′"});
   }
 
-  TEST_CASE("the parts of an acceleration lead from the image of one point to that of the other") {
+  TEST_CASE("the components of an acceleration lead from the image of one point to that of the other") {
     at_positions([](const PlanSubject& subject) {
       const figure::Plan plan = acceleration_plan(subject);
       for (std::size_t n = 0; n + 1 < plan.vectors.size(); ++n) {
@@ -158,8 +158,7 @@ TEST_SUITE("mechanism plans") {
     });
   }
 
-  TEST_CASE(
-      "where a pin slides, its acceleration is that of the slot with Coriolis' and the relative one along the slot") {
+  TEST_CASE("where a pin slides, its acceleration is that of the slot, Coriolis and the relative one along the slot") {
     const mechanism::Model model = models::slotted_lever();
     mechanism::WholeSystem system(model);
     REQUIRE(system.assemble() == mechanism::Status::closed);
@@ -176,7 +175,7 @@ TEST_SUITE("mechanism plans") {
     CHECK(std::abs(off) <= 1e-9 * side(*relative));
   }
 
-  TEST_CASE("the moments on Zhukovsky's lever sum to zero with the drive's effort, and with no other") {
+  TEST_CASE("the moments on Zhukovsky's lever sum to zero with the effort of the drive, and with no other") {
     at_positions([](const PlanSubject& subject) {
       CHECK(left_on_lever(subject) <= 1e-9);
       mechanism::Position wrong = subject.at;
@@ -186,7 +185,7 @@ TEST_SUITE("mechanism plans") {
     });
   }
 
-  TEST_CASE("a lever is the velocity plan turned clockwise by a right angle") {
+  TEST_CASE("a lever is the velocity plan rotated clockwise by a right angle") {
     at_positions([](const PlanSubject& subject) {
       const figure::Plan velocities = velocity_plan(subject), lever = zhukovsky_lever(subject);
       REQUIRE(velocities.points.size() == lever.points.size());
@@ -197,7 +196,7 @@ TEST_SUITE("mechanism plans") {
     });
   }
 
-  TEST_CASE("frames are the closed positions, thinned where they are many, with the governing one") {
+  TEST_CASE("frames are the closed positions, thinned where there are many, with the governing one") {
     Cycle cycle;
     cycle.positions.resize(1000);
     cycle.closed.assign(1000, true);

@@ -10,7 +10,7 @@ using namespace loadpath::planar;
 namespace models = loadpath::mechanism::models;
 
 TEST_SUITE("mechanism schemes") {
-  TEST_CASE("a wheel that meshes twice is drawn once") {
+  TEST_CASE("a gear that meshes twice is drawn once") {
     const mechanism::Model model = models::planetary();  // its planet lies off the axes
     mechanism::WholeSystem system(model);
     REQUIRE(system.assemble() == mechanism::Status::closed);

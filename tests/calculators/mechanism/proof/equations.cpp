@@ -84,7 +84,7 @@ account::Verdict verdict_of(const std::string& symbol, const Cycle& cycle) {
 }  // namespace
 
 TEST_SUITE("mechanism report") {
-  TEST_CASE("the proof of equilibrium passes where nothing is left over, and fails where something is") {
+  TEST_CASE("the proof of equilibrium passes without a residual, and fails with one") {
     OnePosition off = balanced();
     off.residuals.force = off.residuals.moment = off.residuals.power = -1e-3;
     for (const char* symbol : {"force_balance", "moment_balance", "power_balance"}) {
@@ -94,7 +94,7 @@ TEST_SUITE("mechanism report") {
     }
   }
 
-  TEST_CASE("the force of a cylinder counts as a force; what is left over from nothing is not passed") {
+  TEST_CASE("the force of a cylinder counts as a force; a residual without forces does not pass") {
     OnePosition off = balanced();
     off.position.reactions[0].force = {};
     off.residuals.force = off.residuals.moment = 1e-3;
@@ -107,7 +107,7 @@ TEST_SUITE("mechanism report") {
     }
   }
 
-  TEST_CASE("a residual or a scale that is not a number is never passed, whichever position it stands at") {
+  TEST_CASE("a residual or a scale that is not a number never passes, at any position") {
     for (const double none : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
       OnePosition residual = balanced(), scale = balanced();
       residual.residuals.force = residual.residuals.moment = residual.residuals.power = none;
@@ -145,7 +145,7 @@ TEST_SUITE("mechanism report") {
     }
   }
 
-  TEST_CASE("positions that are not trustworthy are told with their crank angles") {
+  TEST_CASE("positions that are not trustworthy are reported with their crank angles") {
     Cycle cycle = proven();
     CHECK(verdict_of("trustworthy", cycle).state == account::State::pass);
     cycle.proofs[1].motion = 1e-9;
@@ -158,7 +158,7 @@ TEST_SUITE("mechanism report") {
     CHECK(verdict_of("trustworthy", cycle).state == account::State::not_available);
   }
 
-  TEST_CASE("a frame has no drive to be found again") {
+  TEST_CASE("a frame has no drive to be solved for again") {
     for (const account::Verdict& v : proof("frame", {}, proven(), nullptr)) {
       CHECK(std::string(v.symbol) != "virtual_power");
       CHECK(std::string(v.symbol) != "zhukovsky_lever");

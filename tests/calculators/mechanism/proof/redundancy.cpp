@@ -42,7 +42,7 @@ F = { type = "revolute", links = ["b", "e"] }
 }  // namespace
 
 TEST_SUITE("mechanism held too much in a project") {
-  TEST_CASE("what is unique is given, what is not never is") {
+  TEST_CASE("a unique reaction is given, a non-unique one never is") {
     const auto project = solved(parallel);
     const Value* effort = project.value("bar.drive.M");
     REQUIRE(effort != nullptr);
@@ -61,7 +61,7 @@ TEST_SUITE("mechanism held too much in a project") {
     CHECK_FALSE(std::isnan(value(project, "bar.links.b.omega")));
   }
 
-  TEST_CASE("a hodograph of a force that is not unique is not drawn, and that is told; the report cites why") {
+  TEST_CASE("a hodograph of a non-unique force is not drawn, and that is reported; the report cites why") {
     const auto project = solved(replaced(parallel, "positions = 12 }\n", "positions = 12 }\nhodographs = [\"F\"]\n"));
     const auto& account = project.steps[0]->account();
     const auto told = std::find_if(account.blocks.begin(), account.blocks.end(), [](const account::Block& block) {
@@ -72,7 +72,7 @@ TEST_SUITE("mechanism held too much in a project") {
     CHECK(account.sources == std::vector<std::string>{"Wojtyra"});
   }
 
-  TEST_CASE("the report says which joints share what") {
+  TEST_CASE("the report states which joints share which reactions") {
     const auto project = solved(parallel);
     const account::Verdict& said = verdict_of(project, "determinate");
     CHECK(said.state == account::State::not_covered);
@@ -85,14 +85,14 @@ TEST_SUITE("mechanism held too much in a project") {
     }
   }
 
-  TEST_CASE("friction that hangs on a shared reaction is refused") {
+  TEST_CASE("friction that depends on a shared reaction is refused") {
     const std::string b = R"(links = ["a", "b"])";
     const std::string text = replaced(parallel, b, b + ", mu = 0.1, pin_radius = \"10 mm\"");
     CHECK(issues_of(text).find("error: friction, tooth or belt forces of joint 'B' depend on its reaction, which is "
                                "not unique: other joints constrain the same freedom") != std::string::npos);
   }
 
-  TEST_CASE("sides do not tell such an assembly") {
+  TEST_CASE("sides do not distinguish such assemblies") {
     const std::string text = replaced(parallel, "gravity =", "sides = [\"C_left\"]\ngravity =");
     CHECK(issues_of(text).find("error: assembly modes do not apply with redundant constraints") != std::string::npos);
   }

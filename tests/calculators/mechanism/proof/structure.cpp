@@ -70,7 +70,7 @@ crank = { speed = "60 rpm", positions = 72 }
     CHECK(J.unit == "m");
   }
 
-  TEST_CASE("a wheel that meshes is a group of one link, and its Jacobian is the same at every position") {
+  TEST_CASE("a meshing gear is a group of one link, and its Jacobian is the same at every position") {
     const auto project = solved(R"([a]
 calculator = "mechanism.planar"
 crank = { joint = "O", speed = "60 rpm", positions = 12 }

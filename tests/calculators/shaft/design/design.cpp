@@ -95,7 +95,7 @@ TEST_SUITE("shaft design") {
     }
   }
 
-  TEST_CASE("loads add up, and a shaft that is turned about its axis bears the same") {
+  TEST_CASE("loads superpose, and a shaft rotated about its axis has the same results") {
     std::mt19937 random(21);
     for (int k = 0; k < 30; ++k) {
       const Design::Input in = random_shaft(random);
@@ -115,7 +115,7 @@ TEST_SUITE("shaft design") {
     }
   }
 
-  TEST_CASE("two bearings share as the lever has it, whatever the diameters") {
+  TEST_CASE("two bearings share a load by the lever arms, whatever the diameters") {
     std::mt19937 random(3);
     for (int k = 0; k < 20; ++k) {
       Design::Input in = random_shaft(random);
@@ -128,7 +128,7 @@ TEST_SUITE("shaft design") {
     }
   }
 
-  TEST_CASE("Peterson's fits: no step, no concentration; where two of them meet they agree") {
+  TEST_CASE("Peterson's fits: no step, no stress concentration; where two of them meet they agree") {
     using namespace fatigue;
     const Length D = 100.0 * mm;
     CHECK(concentration(shoulder_in_bending, 1e-4 * mm, 1e-4 * mm, D).K >= 1.0);
@@ -146,7 +146,7 @@ TEST_SUITE("shaft design") {
     CHECK(concentration(shoulder_in_bending, 25.0 * mm, 1.0 * mm, D).place > 1.0);
   }
 
-  TEST_CASE("what sits on the shaft is on it, is held, and balances") {
+  TEST_CASE("seats lie on the shaft, are located axially, and their torques balance") {
     CHECK(contains(messages("supports = [{ x = \"10 mm\" }]\n"),
                    "a shaft needs at least two bearings, at different positions"));
     CHECK(contains(messages("supports = [{ x = \"10 mm\" }, { x = \"10 mm\" }]\n"),
@@ -182,7 +182,7 @@ TEST_SUITE("shaft design") {
                    "all components of a shaft must have the same speed, not zero"));
   }
 
-  TEST_CASE("notches fit the shaft, and every step has one where fatigue is judged") {
+  TEST_CASE("notches fit the shaft, and every step has one where fatigue is assessed") {
     const std::string stepped =
         "pieces = [{ l = \"90 mm\", d = \"30 mm\" }, { l = \"110 mm\", d = \"40 mm\" }]\n" + two_bearings;
     const std::string shell =
@@ -224,7 +224,7 @@ TEST_SUITE("shaft design") {
                     "slope_bearings") == "fail");
   }
 
-  TEST_CASE("torque that reverses tires more than one that starts and stops") {
+  TEST_CASE("a reversing torque causes more fatigue than one that starts and stops") {
     const test::ExampleStep pulsating("shaft.design", "r_T = 0"), reversing("shaft.design", "r_T = -1");
     for (const char* school : {"n_Goodman", "n_Soderberg", "n_Gerber", "n_elliptic"}) {
       const std::string n = std::string("safeties.left_shoulder.") + school;
@@ -234,7 +234,7 @@ TEST_SUITE("shaft design") {
     CHECK(pulsating("safeties.left_shoulder.n_Goodman") < pulsating("safeties.left_shoulder.n_Gerber"));
   }
 
-  TEST_CASE("weight bends, and its own place of every seat") {
+  TEST_CASE("the weight of the shaft bends it, and the weight of every seat acts at its own position") {
     const std::string lying =
         "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\ngroup = \"carbon-steel\"\nrho = "
         "\"7850 "
@@ -247,7 +247,7 @@ TEST_SUITE("shaft design") {
     CHECK(carried.value("axle.bearings[2].R_y") == Approx(weight / 2.0 + 5.0 * 9.80665));
   }
 
-  TEST_CASE("its bearings are settled by the steps that take each of them, with its loads as they are") {
+  TEST_CASE("its bearings are assessed by the steps that take each of them, with unchanged loads") {
     const std::string shaft =
         bare +
         "n = \"1000 rpm\"\nsupports = [{ name = \"left\", x = \"10 mm\", holds = \"both\" }, { name = "
@@ -268,7 +268,7 @@ TEST_SUITE("shaft design") {
     CHECK(weaker.mode("axle.bearings").state != State::pass);
   }
 
-  TEST_CASE("the seat of a key is judged by the shaft that takes its notch, where it is made for that shaft") {
+  TEST_CASE("the keyway of a key is assessed by the shaft that takes its notch, if it is made for that shaft") {
     const std::string key =
         "[key]\ncalculator = \"shaft.key\"\nT = \"100 N*m\"\ntorque = \"one_way\"\nK_A = 1.25\nkey = \"12x8\"\nl = "
         "\"50 mm\"\nl_n = \"60 mm\"\nR_e_1 = \"430 MPa\"\nR_e_2 = \"250 MPa\"\nR_e_k = \"420 MPa\"\n";
@@ -288,7 +288,7 @@ TEST_SUITE("shaft design") {
   }
 
   // Each of these passed once.
-  TEST_CASE("what an attack has found does not pass") {
+  TEST_CASE("designs of earlier findings do not pass") {
     const std::string shell = "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\n";
     const auto says = [&](const std::string& lines) { return Solved(shell + lines).messages(); };
     const std::string pieces = "pieces = [{ l = \"200 mm\", d = \"40 mm\" }]\n" + two_bearings;
@@ -346,7 +346,7 @@ TEST_SUITE("shaft design") {
     CHECK(found.mode("axle.yield").utilisation.value_or(0.0) > 0.99);
   }
 
-  TEST_CASE("the smallest diameter of a piece that passes every section is found, and why the next smaller fails") {
+  TEST_CASE("the smallest diameter of a segment that passes every section is found, and why the next smaller fails") {
     const std::string text =
         "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nd_h = \"60 "
         "mm\"\nsupports = "
@@ -361,7 +361,7 @@ TEST_SUITE("shaft design") {
     CHECK(Solved(text + "33.5 mm\" }]\n").mode("axle.yield").state == State::fail);
   }
 
-  TEST_CASE("a place behind lengths that are added up is where they end") {
+  TEST_CASE("a position after summed lengths is at their end") {
     const std::string text =
         "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\npieces = [{ l = \"100 "
         "mm\", d = "
@@ -372,7 +372,7 @@ TEST_SUITE("shaft design") {
     CHECK_MESSAGE(Solved(text).errors().empty(), Solved(text).errors());
   }
 
-  TEST_CASE("gears that turn their shaft against each other are refused") {
+  TEST_CASE("gears that drive their shaft against each other are refused") {
     const auto says = [](const std::string& F_y) {
       return Solved(bare + two_bearings +
                     "seats = [{ x = \"50 mm\", way = \"drives\", T = \"10 N*m\", F_y = \"-1 kN\", x_w = \"10 mm\" "
@@ -384,7 +384,7 @@ TEST_SUITE("shaft design") {
     CHECK(contains(says("-2 kN"), "give opposite torques"));
   }
 
-  TEST_CASE("the torque of a seat holds the service factor of the shaft") {
+  TEST_CASE("the torque of a seat includes the service factor of the shaft") {
     const std::string key =
         "[key]\ncalculator = \"shaft.key\"\nT = \"=axle.seats.a.T\"\nK_A = 1.5\ntorque = \"one_way\"\nd = "
         "\"40 mm\"\nkey = \"12x8\"\nl = \"50 mm\"\nl_n = \"60 mm\"\nR_e_1 = \"430 MPa\"\nR_e_2 = \"250 MPa\"\nR_e_k = "

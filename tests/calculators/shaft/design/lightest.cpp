@@ -297,7 +297,7 @@ seats = [
 }  // namespace
 
 TEST_SUITE("lightest shafts" * test::takes_share) {
-  TEST_CASE("where the deflection decides, one size is smaller if others are larger") {
+  TEST_CASE("where the deflection governs, one size is smaller if others are larger") {
     const Solved solved(overhung_shaft);
     REQUIRE_MESSAGE(solved.errors().empty(), solved.errors());
     const std::vector<double> expected{0.03, 0.04, 0.03, 0.0265, 0.0132};
@@ -321,7 +321,7 @@ TEST_SUITE("lightest shafts" * test::takes_share) {
       CHECK(solved.value("axle.pieces[" + std::to_string(i + 1) + "].d") == doctest::Approx(expected[i]));
   }
 
-  TEST_CASE("of random shafts none is lighter that passes") {
+  TEST_CASE("for random shafts no lighter one passes") {
     Draw draw{std::mt19937(29)};
     Tally tally;
     for (int i = 0; i < test::tries(300, test::sanitized ? 100 : 30); ++i) compare(drawn(draw), tally);

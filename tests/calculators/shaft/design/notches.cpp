@@ -64,7 +64,7 @@ std::string errors(const std::string& notch, const std::string& more = "") {
 }  // namespace
 
 TEST_SUITE("shaft design notches") {
-  TEST_CASE("a step that is high for its fillet has the shape factor of DIN 743 in torsion, beyond Peterson's fit") {
+  TEST_CASE("a step that is high for its fillet has K_t of DIN 743 in torsion, beyond Peterson's fit") {
     const auto shouldered = [](const std::string& r) {
       const std::string bar = barred("kind = \"shoulder\", r = \"" + r + "\"");
       const std::string one = "[{ l = \"200 mm\", d = \"40 mm\" }]";
@@ -88,7 +88,7 @@ TEST_SUITE("shaft design notches") {
     CHECK(test::mode_of(Solved(shouldered("0.2 mm")).project, "bar", "fatigue") == "not-covered");
   }
 
-  TEST_CASE("notch factors are those of DIN 743, by hand and as fatigue.din743 has them, for every school") {
+  TEST_CASE("notch factors are those of DIN 743, by hand and as in fatigue.din743, for every school") {
     for (const Told& kind : kinds) {
       CAPTURE(kind.notch);
       Solved both(barred(kind.notch) + alone(kind.section));
@@ -110,7 +110,7 @@ TEST_SUITE("shaft design notches") {
     CHECK(holed.value("bar.sections.n.tau") == Approx(100.0 / (std::numbers::pi * d * d * d / 16.0 - r * d * d / 3.0)));
   }
 
-  TEST_CASE("a typed notch factor is taken as it is, at a step and of other materials too") {
+  TEST_CASE("a typed notch factor is used unchanged, at a step and of other materials too") {
     Solved typed(barred(R"(kind = "beta", beta_b = 2, beta_t = 1.6)"));
     CHECK(typed.value("bar.safeties.n.K_f") == 2.0);
     CHECK(typed.value("bar.safeties.n.K_fs") == 1.6);
@@ -124,7 +124,7 @@ TEST_SUITE("shaft design notches") {
     CHECK(contains(Solved(pressed).errors(), "for steels only"));
   }
 
-  TEST_CASE("beyond the ranges of its factor a notch is not covered, whatever the school") {
+  TEST_CASE("beyond the range of its factor a notch is not covered, by any school") {
     for (const char* notch : {R"(kind = "v-groove", t = "0.5 mm")", R"(kind = "v-groove", t = "7 mm")",
                               R"(kind = "cross-hole", r = "7 mm")"}) {
       CAPTURE(notch);
@@ -134,7 +134,7 @@ TEST_SUITE("shaft design notches") {
     }
   }
 
-  TEST_CASE("what a notch lacks, or has too much, is told") {
+  TEST_CASE("missing or superfluous input of a notch is reported") {
     CHECK(contains(errors(R"(kind = "rectangular-groove", t = "1 mm", r = "0.1 mm")"), "has a width w"));
     CHECK(contains(errors(R"(kind = "rectangular-groove", w = "1 mm", r = "0.1 mm")"), "has a depth t"));
     CHECK(contains(errors(R"(kind = "rectangular-groove", t = "1 mm", w = "1 mm")"), "needs the radius r"));
@@ -147,7 +147,7 @@ TEST_SUITE("shaft design notches") {
     CHECK(contains(errors(R"(kind = "keyway", h = "2 mm")"), "minimum height of a shoulder"));
   }
 
-  TEST_CASE("a shoulder is as high as what is set against it asks") {
+  TEST_CASE("a shoulder must be as high as its abutting part needs") {
     const auto state = [](const char* h) {
       return test::mode_with("shaft.design",
                              "notches = [{ x = \"60 mm\", kind = \"shoulder\", r = \"2 mm\", h = \"" + std::string(h) +
@@ -158,7 +158,7 @@ TEST_SUITE("shaft design notches") {
     CHECK(state("5.01 mm") == "fail");
   }
 
-  TEST_CASE("notches that stand too near to each other are told") {
+  TEST_CASE("notches that are too near to each other are reported") {
     const auto warns = [](const char* gap) {
       return contains(Solved(barred(R"(kind = "groove", t = "2 mm", r = "2 mm" }, { x = ")" + std::string(gap) +
                                     R"(", kind = "groove", t = "1 mm", r = "1 mm")"))

@@ -15,7 +15,7 @@ using test::contains;
 using test::Solved;
 
 TEST_SUITE("shaft design schools") {
-  TEST_CASE("a section is rated by FKM as fatigue.fkm rates it, by Serensen as fatigue.combined does") {
+  TEST_CASE("a section is rated by FKM as in fatigue.fkm, by Serensen as in fatigue.combined") {
     const std::string shaft =
         "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\nR_m = \"900 MPa\"\nR_e = \"700 "
         "MPa\"\nR_z = \"6.3 um\"\npieces = [{ l = \"100 mm\", d = \"42 mm\" }, { l = \"100 mm\", d = \"50 mm\" }]\n"
@@ -55,7 +55,7 @@ TEST_SUITE("shaft design schools") {
     CHECK(contains(without_roughness.fault(), "need the roughness R_z"));
   }
 
-  TEST_CASE("a section is rated by DIN 743 as fatigue.din743 rates it, and outside of its ranges not at all") {
+  TEST_CASE("a section is rated by DIN 743 as in fatigue.din743, and outside its ranges not at all") {
     const std::string shaft =
         "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\nR_m = \"900 MPa\"\nR_e = \"700 "
         "MPa\"\ngroup = "

@@ -60,7 +60,7 @@ std::array<double, 5> found(Solved& solved) {
 }  // namespace
 
 TEST_SUITE("shaft sizing" * test::by_case) {
-  TEST_CASE("all diameters together: all pass, the shape is sound, and each says what one size less would fail") {
+  TEST_CASE("all diameters together: all pass, the shape is valid, and each states why one size smaller fails") {
     Solved solved(shaft(all_sought));
     REQUIRE_MESSAGE(!has_errors(solved.issues), solved.messages());
     for (const char* mode : {"yield", "fatigue", "deflection", "twist", "slope_seats", "critical_torsion"})
@@ -77,7 +77,7 @@ TEST_SUITE("shaft sizing" * test::by_case) {
     }
   }
 
-  TEST_CASE("no piece can be smaller: it fails, or its shoulder is lower than its fillet") {
+  TEST_CASE("no segment can be smaller: it fails, or its shoulder is lower than its fillet") {
     if (test::sanitized) return;  // the search of the case above once more
     Solved solved(shaft(all_sought));
     const auto d = found(solved);
@@ -117,7 +117,7 @@ TEST_SUITE("shaft sizing" * test::by_case) {
     }
   }
 
-  TEST_CASE("what is given stays, and the others go with it") {
+  TEST_CASE("given sizes are kept, and the others are adapted to them") {
     Five collar = all_sought;
     collar[3] = "60 mm";
     Solved solved(shaft(collar));
@@ -135,7 +135,7 @@ TEST_SUITE("shaft sizing" * test::by_case) {
     CHECK(contains(origin(by_stock, 1), "smallest of shaft"));
   }
 
-  TEST_CASE("pieces without a notch between them are one cylinder, and sit on a bearing's bore together") {
+  TEST_CASE("segments without a notch between them are one cylinder, and fit a bearing bore together") {
     const std::string text =
         "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\nR_m = \"700 MPa\"\nR_e = \"490 "
         "MPa\"\ngroup = \"carbon-steel\"\npieces = [{ l = \"100 mm\", d = \"?\" }, { l = \"100 mm\", d = \"?\" "
@@ -149,7 +149,7 @@ TEST_SUITE("shaft sizing" * test::by_case) {
     CHECK(contains(half.errors(), "no combination of sizes"));  // 48 mm is not a bore of a bearing
   }
 
-  TEST_CASE("without a check there is no size, and under too much load none passes") {
+  TEST_CASE("without a check there is no size, and under too large a load none passes") {
     const std::string bare =
         "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\ngroup = \"carbon-steel\"\npieces = "
         "[{ l = \"100 mm\", d = \"?\" }, { l = \"100 mm\", d = \"?\" }]\nsupports = [{ x = \"0 mm\" }, { x = \"200 "
@@ -164,7 +164,7 @@ TEST_SUITE("shaft sizing" * test::by_case) {
     CHECK(contains(heavy.origin("axle", "pieces[1].d"), "no sizes pass together"));
   }
 
-  TEST_CASE("where no size has a strength, the search says which the table does not give") {
+  TEST_CASE("where no size has a strength, the search states which value the table does not give") {
     Solved solved(
         "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"18CrNiMo7-6\"\ngroup = \"carbon-steel\"\npieces = [{ l = "
         "\"100 mm\", d = \"?\" }, { l = \"100 mm\", d = \"?\" }]\nsupports = [{ x = \"0 mm\" }, { x = \"200 mm\" "
@@ -172,7 +172,7 @@ TEST_SUITE("shaft sizing" * test::by_case) {
     CHECK(contains(solved.origin("axle", "pieces[1].d"), "R_e"));
   }
 
-  TEST_CASE("a bearing seat that can only be the thickest segment has no size, and the search says so") {
+  TEST_CASE("a bearing seat that can only be the thickest segment has no size, and the search states so") {
     const std::string text =
         "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\npieces = [{ name = "
         "\"left\", l = \"25 mm\", d = \"45 mm\" }, { name = \"wheel\", l = \"50 mm\", d = \"50 mm\" }, { name = "

@@ -160,7 +160,7 @@ int try_smaller(const Shaft& shaft, const Solved& found) {
 }  // namespace
 
 TEST_SUITE("smallest shafts" * test::by_case) {
-  TEST_CASE("of random shafts no diameter can be a size smaller, and each says what it would fail") {
+  TEST_CASE("for random shafts no diameter can be a size smaller, and each states why it would fail") {
     Draw draw{std::mt19937(5)};
     int found = 0, tried = 0;
     const int shafts = test::sanitized ? 6 : 24;

@@ -47,7 +47,7 @@ Section middle_of(double l, double bore, double F, double F_z, double k_max = 1.
 }  // namespace
 
 TEST_SUITE("shaft design") {
-  TEST_CASE("bending, thrust and torque of a bored shaft meet at its surface, whichever way it is pushed") {
+  TEST_CASE("bending, thrust and torque of a bored shaft meet at its surface, in either direction of the thrust") {
     for (const double thrust : {20e3, -20e3}) {
       const Section p = middle_of(200.0, 20.0, 10e3, thrust);
       CHECK(rel(p.M, 500.0 * N_m) < 1e-9);
@@ -60,13 +60,12 @@ TEST_SUITE("shaft design") {
     CHECK(rel(middle_of(200.0, 20.0, 10e3, 20e3, 2.0).sigma_v, 229.81101818255774 * MPa) < 1e-9);
   }
 
-  TEST_CASE("in a short shaft the neutral axis bears most: shear of the force with that of the torque") {
+  TEST_CASE("in a short shaft the neutral axis has the highest stress: shear of the force with that of the torque") {
     CHECK(rel(middle_of(20.0, 20.0, 100e3, 20e3).sigma_v, 216.6725243515099 * MPa) < 1e-8);
     CHECK(rel(middle_of(20.0, 0.0, 100e3, 20e3).sigma_v, 134.18501658695146 * MPa) < 1e-8);
   }
 
-  TEST_CASE(
-      "of a torque that runs back to a fifth two fifths alternate and three fifths stay, beside bending and thrust") {
+  TEST_CASE("of a torque that drops to a fifth, two fifths alternate and three fifths are constant, next to bending") {
     Design::Input in = loaded_in_the_middle(200.0, 20.0, 10e3, 20e3);
     in.S_D = 1.5, in.r_T = 0.2, in.n = 100.0 * rpm;
     const shaft::Safety s = middle_of(test::evaluated<Design>(in).safeties, in);
@@ -74,7 +73,7 @@ TEST_SUITE("shaft design") {
     CHECK(rel(s.sigma_m, 33.92120860287207 * MPa) < 1e-9);
   }
 
-  TEST_CASE("a cross hole takes a strip off the section") {
+  TEST_CASE("a cross hole removes a strip of the section") {
     Design::Input in = loaded_in_the_middle(200.0, 0.0, 10e3, 20e3);
     shaft::Notched hole;
     hole.x = 100.0 * mm, hole.kind = shaft::Notch::cross_hole, hole.r = 5.0 * mm;

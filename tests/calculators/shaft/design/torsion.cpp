@@ -40,7 +40,7 @@ const double to_rpm = 60.0 / (2.0 * std::numbers::pi);
 }  // namespace
 
 TEST_SUITE("shaft design torsion") {
-  TEST_CASE("two discs, and the inertia of the shaft between them lowers what the spring alone gives by little") {
+  TEST_CASE("two discs, and the inertia of the shaft between them slightly lowers the frequency of the spring alone") {
     const double own = 7850.0 * std::numbers::pi / 32.0 * std::pow(0.04, 4.0);  // kg m^2, beside 0.4 and 0.6
     const double bare = std::sqrt(stiffness * (1.0 / 0.4 + 1.0 / 0.6));
     const double omega = Solved(between_discs(two, "")).value("axle.n_T");
@@ -65,7 +65,7 @@ TEST_SUITE("shaft design torsion") {
     CHECK(torsion_at(at(0.26 * n) + "orders = [{ h = 4 }]\n") == State::fail);
   }
 
-  TEST_CASE("what is not known is not judged, and who runs through a resonance is told") {
+  TEST_CASE("unknown data are not assessed, and running through a resonance is reported") {
     CHECK(torsion_at("n = \"600 rpm\"\n") == State::pass);
     CHECK(torsion_at("n = \"600 rpm\"\n", "{ x = \"0 m\", J = \"0.4 kg*m^2\" }, { x = \"1 m\", mass = \"9 kg\" }") ==
           State::not_judged);

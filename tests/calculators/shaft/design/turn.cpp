@@ -78,7 +78,7 @@ const std::string eccentric = "{ name = \"eccentric\", x = \"200 mm\", load = \"
 }  // namespace
 
 TEST_SUITE("shaft over a turn") {
-  TEST_CASE("a force that stays in space alternates in the shaft, as one value does") {
+  TEST_CASE("a force fixed in space alternates in the shaft, as a single value does") {
     const Cycle cycle;
     Design::Input constant = simple(), series = simple();
     constant.seats[0].F_x = F * N;
@@ -94,7 +94,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(in_si(b.v_max) == Approx(in_si(a.v_max)));
   }
 
-  TEST_CASE("a force that turns with the shaft bends it one way for ever") {
+  TEST_CASE("a force that rotates with the shaft bends it statically") {
     const Cycle cycle;
     Design::Input in = simple();
     in.seats[0].F_x = cycle.of<Force>([](double phi) { return F * std::cos(phi); });
@@ -106,8 +106,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(r.safeties[middle].theta == Approx(0.0));
   }
 
-  TEST_CASE(
-      "a force along the shaft adds to bending: its swing to the amplitude, its mean to the mean, pressure as pull") {
+  TEST_CASE("a force along the shaft adds to bending: amplitude to amplitude, mean to mean, pressure like tension") {
     const Cycle cycle;
     const double A = pi / 4.0 * 0.04 * 0.04, along = 20e3;
     Design::Input in = simple();
@@ -125,7 +124,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(in_si(stays.sigma_m) == Approx(M_0 / W_b + along / A));
   }
 
-  TEST_CASE("where it turns the other way it alternates twice in a turn; a shaft that stands feels the swing alone") {
+  TEST_CASE("a force rotating backwards alternates twice per revolution; a shaft at rest has its amplitude only") {
     const Cycle cycle;
     Design::Input in = simple();
     in.seats[0].F_x = cycle.of<Force>([](double phi) { return F * std::cos(phi); });
@@ -141,7 +140,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(in_si(solve(axle).safeties[middle].sigma_m) == Approx(3.0 * M_0 / W_b));
   }
 
-  TEST_CASE("what stands and what turns together: amplitude of the one, mean of the other") {
+  TEST_CASE("fixed and rotating forces together: amplitude of the one, mean of the other") {
     const Cycle cycle;
     Design::Input in = simple();
     in.seats[0].F_x = cycle.of<Force>([](double phi) { return F + 3.0 * F * std::cos(phi); });
@@ -153,7 +152,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(in_si(r.M_max) == Approx(4.0 * M_0));
   }
 
-  TEST_CASE("the torque runs between its extremes, and to those of starts and stops") {
+  TEST_CASE("the torque varies between its extremes, and to those of starts and stops") {
     const Cycle cycle;
     Design::Input in = simple();
     in.n = unset<AngularSpeed>;
@@ -176,7 +175,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(torsion(-1.0).second == Approx(0.0));
   }
 
-  TEST_CASE("the harmonics of the torque can make it swing, and are judged") {
+  TEST_CASE("the harmonics of the torque can excite vibration, and are assessed") {
     const Cycle cycle;
     Design::Input in = simple();
     in.rho = 7850.0 * kg_per_m3;
@@ -195,7 +194,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(solve(in).harmonics.size() == 1);  // two cycles in two turns
   }
 
-  TEST_CASE("bearings: over the turn the mean with 10/3, and the largest") {
+  TEST_CASE("bearings: over the revolution the mean with 10/3, and the largest load") {
     const Cycle cycle;
     Design::Input in = simple();
     in.k_max = 2.0;
@@ -207,7 +206,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(in_si(bearing.R_x) == Approx(-F / 2.0));
   }
 
-  TEST_CASE("a random load: no point around the shaft is worse than the one that decides") {
+  TEST_CASE("a random load: no point around the shaft is worse than the one that governs") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> part(-1.0, 1.0);
     const Cycle cycle;
@@ -252,7 +251,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(project.value("shaft.n") == Approx(2.0 * pi));
   }
 
-  TEST_CASE("what is open of a turn is said") {
+  TEST_CASE("missing input over a revolution is reported") {
     const auto errors = [](const std::string& crank) { return Solved(crank_press + seats(crank)).errors(); };
     const std::string forces = "{ x = \"200 mm\", F_x = \"=press.shafts.O.F_x\", F_y = \"=press.shafts.O.F_y\", ";
     CHECK(errors(forces + "T = \"=press.shafts.O.T\" }").find("the angle of the shaft is missing") !=

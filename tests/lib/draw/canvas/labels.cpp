@@ -31,7 +31,7 @@ TEST_SUITE("draw") {
     }
   }
 
-  TEST_CASE("a place outside of the area is the last choice") {
+  TEST_CASE("a place outside the area is the last choice") {
     Labels labels({0, 0, 100, 100});
     labels.keep_off(Box{0, 0, 50, 50});
     CHECK(labels.place({{{90, 10, 110, 20}, 0.0}, {{10, 10, 30, 20}, 5.0}}).left == 10.0);
@@ -45,7 +45,7 @@ TEST_SUITE("draw") {
     }
   }
 
-  TEST_CASE("places beside a line do not touch it") {
+  TEST_CASE("places next to a line do not touch it") {
     for (const Point to : {Point{90, 50}, Point{50, 90}, Point{80, 20}, Point{10, 30}}) {
       for (const Candidate& c : beside({50, 50}, to, 3.0, 40.0)) {
         Labels labels({-1e3, -1e3, 1e3, 1e3});

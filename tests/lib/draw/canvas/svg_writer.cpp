@@ -43,7 +43,7 @@ TEST_SUITE("draw") {
     CHECK(paths_in(svg_file(picture_of(canvas), "t")) == 6);
   }
 
-  TEST_CASE("lines below what covers them are not moved above it, nor those of a group") {
+  TEST_CASE("lines below the objects that cover them are not moved above these, nor those of a group") {
     Canvas covered;
     add_dimension(covered, 10.0);
     covered.rectangle("plate", {0.0, 0.0, 30.0, 30.0});

@@ -46,7 +46,7 @@ TEST_SUITE("draw") {
     CHECK(most <= 0.08 + 1e-9);
   }
 
-  TEST_CASE("a needle that returns along its own line keeps its tip") {
+  TEST_CASE("a spike that returns along its own line keeps its tip") {
     const auto kept = thin({{0, 0}, {10, 0}, {20, 0}, {5, 0}, {5, 50}, {5, 100}, {5, 0}});
     const auto is = [](Point a, Point b) { return a.x == b.x && a.y == b.y; };
     CHECK(std::any_of(kept.begin(), kept.end(), [&](Point p) { return is(p, {20, 0}); }));

@@ -17,7 +17,7 @@ std::string tick_texts(const Axis& a) {
 }  // namespace
 
 TEST_SUITE("draw") {
-  TEST_CASE("ticks stand at multiples of 1, 2 and 5, of angles at 30, 45, 60 and 90") {
+  TEST_CASE("ticks are at multiples of 1, 2 and 5, of angles at 30, 45, 60 and 90") {
     struct Row {
       Range data;
       int most;
@@ -39,12 +39,12 @@ TEST_SUITE("draw") {
     for (const Row& row : rows) CHECK(tick_texts(axis(row.data, row.most, row.steps, Ends::ticks)) == row.expected);
   }
 
-  TEST_CASE("an axis that ends with its data takes the tick that is almost there") {
+  TEST_CASE("an axis that ends with its data includes a tick that is almost reached") {
     CHECK(axis({0, 359}, 8, Steps::degrees, Ends::data).range.high == doctest::Approx(360.0));
     CHECK(axis({0, 330}, 8, Steps::degrees, Ends::data).range.high == doctest::Approx(330.0));
   }
 
-  TEST_CASE("a range without extent is opened") {
+  TEST_CASE("a range of zero length is widened") {
     CHECK(tick_texts(axis({0, 0}, 4, Steps::decimal, Ends::ticks)) == "-1 -0.5 0 0.5 1");
     CHECK(tick_texts(axis({5, 5}, 5, Steps::decimal, Ends::ticks)) == "0 2 4 6 8 10");
     CHECK(tick_texts(axis({-5, -5}, 5, Steps::decimal, Ends::ticks)) == "-10 -8 -6 -4 -2 0");
@@ -60,11 +60,11 @@ TEST_SUITE("draw") {
     CHECK(axis({0, 90000}, 4, Steps::decimal, Ends::data).power == 0);
   }
 
-  TEST_CASE("ticks far from zero keep the digits that tell them apart") {
+  TEST_CASE("ticks far from zero keep the digits that distinguish them") {
     CHECK(tick_texts(axis({1000.0, 1000.4}, 4, Steps::decimal, Ends::ticks)) == "1000 1000.1 1000.2 1000.3 1000.4");
   }
 
-  TEST_CASE("every range from 1e-12 to 1e12 has two to twelve ticks inside of it") {
+  TEST_CASE("every range from 1e-12 to 1e12 has two to twelve ticks inside it") {
     for (int e = -12; e <= 12; ++e) {
       for (const double k : {1.0, 1.7, 3.14, 9.99}) {
         for (const double low : {0.0, -0.3, 0.999}) {
@@ -100,7 +100,7 @@ TEST_SUITE("draw") {
     }
   }
 
-  TEST_CASE("a scale bar stands for a round number that fits") {
+  TEST_CASE("a scale bar has a round length that fits") {
     CHECK(round_below(80.0) == doctest::Approx(50.0));
     CHECK(round_below(0.02) == doctest::Approx(0.02));
     CHECK(round_below(1999.0) == doctest::Approx(1000.0));

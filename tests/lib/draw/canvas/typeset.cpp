@@ -19,7 +19,7 @@ std::string shown(std::string_view words) {
 }  // namespace
 
 TEST_SUITE("draw") {
-  TEST_CASE("names are set as symbols of the field, words as words") {
+  TEST_CASE("names are set as symbols, words as words") {
     struct Row {
       const char *name, *expected;
     };

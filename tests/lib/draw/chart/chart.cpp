@@ -64,7 +64,7 @@ Figure figure_of(Chart chart) { return {"c", "Points", std::make_shared<const Ch
 }  // namespace
 
 TEST_SUITE("charts") {
-  TEST_CASE("a cloud has dots, crosses and rings, and says how many of each") {
+  TEST_CASE("a cloud has dots, crosses and rings, and states how many of each") {
     const std::string drawn = svg(figure_of(cloud()));
     CHECK(well_formed(drawn));
     CHECK(most_decimals(drawn) <= 2);
@@ -79,7 +79,7 @@ TEST_SUITE("charts") {
     CHECK(!has(drawn, "data-here"));
   }
 
-  TEST_CASE("the front goes by the worse of two neighbours") {
+  TEST_CASE("the Pareto front follows the worse of two neighbours") {
     Chart chart = cloud();
     const auto corner_of = [](const Chart& of) {
       const auto places = chart_picture(of).places;
@@ -97,7 +97,7 @@ TEST_SUITE("charts") {
     CHECK(!corner_of(chart));
   }
 
-  TEST_CASE("a plane hatches what fails, names its modes and speckles what is no machine") {
+  TEST_CASE("a plane hatches failures, names their modes and dots invalid designs") {
     const std::string drawn = svg(figure_of(plane()));
     CHECK(well_formed(drawn));
     CHECK(has(drawn, "utilisation over strut.a in m and strut.b in m"));
@@ -124,7 +124,7 @@ TEST_SUITE("charts") {
     }
   }
 
-  TEST_CASE("what is told is JSON that cannot end a script") {
+  TEST_CASE("the data are JSON that cannot end a script") {
     const InteractiveChart told = interactive_chart(figure_of(cloud()));
     CHECK(well_formed(told.svg));
     CHECK(has(told.svg, "data-here"));
@@ -139,7 +139,7 @@ TEST_SUITE("charts") {
     CHECK(data.at("told").as_array().at(1).as_array().at(1).as_string() == "1 2 3");
   }
 
-  TEST_CASE("a chart without any dot says so") {
+  TEST_CASE("a chart without any dot states so") {
     Chart chart;
     chart.x = chart.y = {"u", "", "-"};
     const std::string drawn = svg(figure_of(std::move(chart)));

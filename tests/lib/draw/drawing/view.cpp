@@ -40,7 +40,7 @@ std::vector<Point> square(double half) { return {{-half, -half}, {half, -half}, 
 }  // namespace
 
 TEST_SUITE("drawing") {
-  TEST_CASE("lengths, radii and their values are there, for screen readers too") {
+  TEST_CASE("lengths, radii and their values are drawn, for screen readers too") {
     const Figure figure = figure_of(plate());
     const std::string text = svg(figure);
     for (const char* const words : {"l = 200 mm", "x = 50 mm", "h = 100 mm", "d = 40 mm"}) {
@@ -52,7 +52,7 @@ TEST_SUITE("drawing") {
     check_drawn(figure);
   }
 
-  TEST_CASE("both directions have one scale, and the shorter dimension stands nearer") {
+  TEST_CASE("both directions have the same scale, and the shorter dimension is nearer") {
     const ViewFit placed = fit(plate(), {0.0, 0.0}, view_width);
     CHECK(placed.extent.width() == doctest::Approx(2.0 * placed.extent.height()));
     CHECK(placed.extent.width() == doctest::Approx(0.2 * placed.scale));
@@ -64,7 +64,7 @@ TEST_SUITE("drawing") {
     CHECK(placed.area.contains(placed.extent));
   }
 
-  TEST_CASE("a dimension too short for its text has it beyond its line, and nothing overlaps") {
+  TEST_CASE("a dimension too short for its text has it outside its line, and nothing overlaps") {
     Drawing::View view = plate();
     view.lengths.push_back({{0.05, 0}, {0.052, 0}, {"a", 0.002, "mm"}, Side::below});
     view.lengths.push_back({{0.052, 0}, {0.06, 0}, {"b", 0.008, "mm"}, Side::below});
@@ -74,7 +74,7 @@ TEST_SUITE("drawing") {
     check_drawn(figure_of(view));
   }
 
-  TEST_CASE("what has no place or no value is left out") {
+  TEST_CASE("an element without a place or value is left out") {
     Drawing::View view = plate();
     view.lengths[0].value.si = std::nan("");
     view.circles.push_back({{INFINITY, 0.0}, 0.1});
@@ -88,7 +88,7 @@ TEST_SUITE("drawing") {
     CHECK(svg(figure_of({})).find("</svg>") != std::string::npos);
   }
 
-  TEST_CASE("views that have room stand side by side") {
+  TEST_CASE("views that fit are side by side") {
     auto drawing = std::make_shared<Drawing>();
     Drawing::View left = plate(), right = plate();
     left.share = 0.6, right.share = 0.4;
@@ -117,7 +117,7 @@ TEST_SUITE("drawing") {
     }
   }
 
-  TEST_CASE("a window shows what lies in it: pieces of lines, the part of a face") {
+  TEST_CASE("a window shows what lies in it: parts of lines, the part of a face") {
     const Box window{0.0, 0.0, 10.0, 10.0};
     const auto pieces = clipped({{-5, 5}, {5, 5}, {5, 15}, {8, 15}, {8, 5}}, window);
     REQUIRE(pieces.size() == 2);

@@ -67,7 +67,7 @@ TEST_SUITE("draw") {
     CHECK(has(pictures.scheme, "data-carried=\"0 0 "));
   }
 
-  TEST_CASE("the data of a motion are the poses, forces and numbers of its frames, rounded below what is seen") {
+  TEST_CASE("the data of a motion are the poses, forces and numbers of its frames, rounded below visibility") {
     const Figure figure = crank();
     const auto& motion = std::get<Motion>(figure.content);
     const json::value data = json::parse(motion_pictures(figure).data);
@@ -87,7 +87,7 @@ TEST_SUITE("draw") {
     CHECK(numbers.ends_with(" –"));
   }
 
-  TEST_CASE("a motion's picture holds every frame, and stands still in a file of its own") {
+  TEST_CASE("a picture of a motion contains every frame, and is still in a file of its own") {
     const Figure figure = crank();
     const auto& motion = std::get<Motion>(figure.content);
     const Fit placed = fit(motion);
@@ -98,7 +98,7 @@ TEST_SUITE("draw") {
     CHECK(count(svg(figure), "data-") == 0);
   }
 
-  TEST_CASE("the data of a motion are small, and no name stands in them") {
+  TEST_CASE("the data of a motion are small, and contain no names") {
     const MotionPictures pictures = motion_pictures(crank("</script><b>\"x\""));
     CHECK_FALSE(has(pictures.data, "script"));
     CHECK_FALSE(has(pictures.scheme, "</script>"));

@@ -44,7 +44,7 @@ TEST_SUITE("draw") {
     }
   }
 
-  TEST_CASE("panels stand side by side; two forces on a line are told apart") {
+  TEST_CASE("panels are side by side; two forces on a line are distinguishable") {
     const Plan pair{"crank", "N", {{{0.0, 0.0}, {0.0, 100.0}, "R_A"}, {{0.0, 100.0}, {0.0, 0.0}, "R_O"}}};
     const std::string text = drawn({triangle(), pair, triangle()});
     CHECK(well_formed(text));
@@ -52,7 +52,7 @@ TEST_SUITE("draw") {
     CHECK(count(text, "<path class=\"force ") == 8);
   }
 
-  TEST_CASE("a title that is wider than its panel is set in lines, and the next panel's stays clear of it") {
+  TEST_CASE("a title that is wider than its panel is broken into lines, and the next panel's stays clear of it") {
     Plan plan = triangle();
     plan.title = "joint_of_the_rod: connecting_rod on crosshead, in the axes of connecting_rod";
     const std::string text = drawn({plan, plan});
@@ -63,7 +63,7 @@ TEST_SUITE("draw") {
     CHECK(narrow > wide);
   }
 
-  TEST_CASE("the angles on a flat hodograph stand beside their dots, off the scale bar") {
+  TEST_CASE("the angles on a flat hodograph are next to their dots, off the scale bar") {
     Plan plan{"A: rod on slider", "N", {{{}, {100.0, 0.0}, "R_A"}}};
     Plan::Trace trace;
     for (int k = 0; k < 12; ++k) {
@@ -87,7 +87,7 @@ TEST_SUITE("draw") {
     CHECK(named >= 3);
   }
 
-  TEST_CASE("the pole of a plan is a ring, what moves has a dot") {
+  TEST_CASE("the pole of a plan is a ring, moving points have a dot") {
     Plan plan{"", "m/s", {{{}, {1.0, 0.0}, ""}}};
     plan.points = {{"p", {}}, {"a", {1.0, 0.0}}};
     const std::string text = drawn({plan});
@@ -95,7 +95,7 @@ TEST_SUITE("draw") {
     CHECK(count(text, "<circle class=\"solid\"") == 1);
   }
 
-  TEST_CASE("a plan of nothing, or of what is not a number, is drawn without it") {
+  TEST_CASE("an empty plan, or one with values that are not numbers, is drawn without them") {
     CHECK(well_formed(drawn({})));
     CHECK(well_formed(drawn({Plan{"", "N", {}}})));
     CHECK(most_decimals(drawn({triangle(std::nan(""))})) <= 2);

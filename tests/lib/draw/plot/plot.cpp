@@ -31,7 +31,7 @@ Plot noisy_plot() {
 }  // namespace
 
 TEST_SUITE("draw") {
-  TEST_CASE("the axes say symbol, meaning and unit") {
+  TEST_CASE("the axes show symbol, meaning and unit") {
     const std::string text = drawn(moment_plot());
     CHECK(says(text, "driving moment M in N·m"));
     CHECK(has(text, "crank angle <tspan class=\"s\">φ</tspan> in "));
@@ -57,7 +57,7 @@ TEST_SUITE("draw") {
     CHECK(has(text, "peak −430 kN·m at 202.7"));
   }
 
-  TEST_CASE("a mark carries its label, value and place") {
+  TEST_CASE("a mark has its label, value and position") {
     const std::string text = drawn(moment_plot());
     CHECK(has(text, "peak −86 N·m at 202.7"));
     CHECK(count(text, "<circle class=\"solid\"") == 1);
@@ -70,7 +70,7 @@ TEST_SUITE("draw") {
     CHECK(says(text, "2000"));
   }
 
-  TEST_CASE("curves are told apart by dashes and labelled directly") {
+  TEST_CASE("curves are distinguished by dashes and labelled directly") {
     const std::string text = drawn(reaction_plot());
     CHECK(has(text, "<path class=\"curve c0 d0\""));
     CHECK(has(text, "<path class=\"curve c1 d1\""));
@@ -79,11 +79,11 @@ TEST_SUITE("draw") {
     CHECK(curves_in(text) == 2);
   }
 
-  TEST_CASE("the label of a lone curve is not repeated when the axis says it") {
+  TEST_CASE("the label of a single curve is not repeated when the axis shows it") {
     CHECK_FALSE(says(drawn(moment_plot()), "M"));
   }
 
-  TEST_CASE("curves that leave no room for labels are named below the plot") {
+  TEST_CASE("curves without space for labels are named below the plot") {
     Plot plot = reaction_plot();
     plot.bounds.clear();
     const Curve curve = plot.curves[0];
@@ -99,7 +99,7 @@ TEST_SUITE("draw") {
     CHECK(overlap(text) == "");
   }
 
-  TEST_CASE("points that stand alone are named below the plot by a dot") {
+  TEST_CASE("isolated points are named below the plot by a dot") {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     Plot plot = torque_plot();
     plot.curves = {{"tests", {1.0, 1.5, 2.0}, {5.0, none, 6.0}}, {"mean", {1.0, 2.0}, {5.0, 6.0}}};
@@ -109,13 +109,13 @@ TEST_SUITE("draw") {
     CHECK(curves_in(text) == 2);
   }
 
-  TEST_CASE("the value stands in each segment of a diagram along a shaft") {
+  TEST_CASE("the value is shown in each segment of a diagram along a shaft") {
     const std::string text = drawn(torque_plot());
     for (const char* value : {"900", "−2700", "−1200"}) CHECK_MESSAGE(says(text, value), value);
     CHECK(count(text, "class=\"area ") == 1);
   }
 
-  TEST_CASE("a stretch sampled by many points is one segment") {
+  TEST_CASE("a segment sampled by many points is one segment") {
     Plot plot = torque_plot();
     plot.curves = {{"T", {}, {}, true}};
     for (int i = 0; i <= 100; ++i) {
@@ -140,7 +140,7 @@ TEST_SUITE("draw") {
     CHECK(count(drawn(plot), "<circle class=\"f0\"") == 1);
   }
 
-  TEST_CASE("on a logarithmic scale what is not positive has no place") {
+  TEST_CASE("on a logarithmic scale values of zero or less are left out") {
     Plot plot;
     plot.x = {"N", "cycles", "-", true};
     plot.y = {"S", "stress", "MPa", true};
@@ -151,7 +151,7 @@ TEST_SUITE("draw") {
     CHECK(drawn.find("<circle") != std::string::npos);
   }
 
-  TEST_CASE("a plot without any value says so") {
+  TEST_CASE("a plot without any value states so") {
     Plot plot = torque_plot();
     for (double& y : plot.curves[0].y) y = std::numeric_limits<double>::quiet_NaN();
     CHECK(says(drawn(plot), "not available"));

@@ -24,7 +24,7 @@ TEST_SUITE("draw") {
     }
   }
 
-  TEST_CASE("scale bars say what lengths and forces are") {
+  TEST_CASE("scale bars give lengths and forces") {
     const std::string text = drawn(lever());
     CHECK(says(text, "20 mm"));
     CHECK(says(text, "200 N"));

@@ -30,7 +30,7 @@ Scheme with_spring(bool pulls, bool damps) {
 }  // namespace
 
 TEST_SUITE("draw") {
-  TEST_CASE("a spring is a zigzag, a damper a cylinder with its piston, both stand side by side") {
+  TEST_CASE("a spring is a zigzag, a damper a cylinder with its piston, both side by side") {
     const std::string spring = drawn(with_spring(true, false)), damper = drawn(with_spring(false, true)),
                       both = drawn(with_spring(true, true));
     const std::string piston = "class=\"rail\"";
@@ -41,7 +41,7 @@ TEST_SUITE("draw") {
     CHECK(damper.find("damper s") != std::string::npos);
   }
 
-  TEST_CASE("what has no place is left out, and a spring without length draws nothing that is not a number") {
+  TEST_CASE("an element without a place is left out, and a spring without length draws no NaN") {
     Scheme scheme = with_spring(true, true);
     scheme.springs.push_back({"lost", {std::numeric_limits<double>::quiet_NaN(), 0.0}, {0.1, 0.0}});
     scheme.springs.push_back({"none", {0.1, 0.0}, {0.1, 0.0}});
@@ -52,7 +52,7 @@ TEST_SUITE("draw") {
     CHECK(picture.find("lost") == std::string::npos);
   }
 
-  TEST_CASE("a weld is a filled corner and no pin") {
+  TEST_CASE("a weld is a filled corner and not a pin") {
     Scheme scheme;
     scheme.bodies.push_back({"a", {{0.0, 0.0}, {0.1, 0.0}}});
     scheme.bodies.push_back({"b", {{0.0, 0.0}, {0.0, 0.1}}});

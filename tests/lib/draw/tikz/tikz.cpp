@@ -53,7 +53,7 @@ TEST_SUITE("figures in LaTeX") {
           "\\node[lp words,lp words f1,anchor=base,rotate=90] at (3,4) {\\lphalo{5 \\% \\{a\\}}};\n");
   }
 
-  TEST_CASE("what is hidden until a script shows it is not drawn") {
+  TEST_CASE("elements that are hidden until a script shows them are not drawn") {
     Canvas canvas;
     canvas.begin_group({{"visibility", "hidden"}});
     canvas.begin_group({{"data-at", "1"}});
@@ -79,7 +79,7 @@ TEST_SUITE("figures in LaTeX") {
     CHECK(contains(text, "(-5000,0) -- (5000,0)"));
   }
 
-  TEST_CASE("the styles say what the style sheet of pages says") {
+  TEST_CASE("the styles agree with the style sheet of pages") {
     const std::string styles = tikz_styles();
     for (const std::string_view line :
          {"\\definecolor{lpaccent2}{HTML}{B4451C}\n",

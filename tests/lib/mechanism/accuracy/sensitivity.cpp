@@ -101,7 +101,7 @@ double by(const Sensitivity& sensitivity, Dimension dimension, std::size_t index
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("sensitivities are what differences of mechanisms solved again come to") {
+  TEST_CASE("sensitivities agree with differences of mechanisms solved again") {
     for (const Model& model :
          {slider_crank(), four_bar(), six_bar(), slotted_lever(), slotted_lever(true), slot_on_a_moving_link(false),
           class_three(), five_bar(), boom(), telescope(), trammel(), driven_piston()}) {
@@ -117,7 +117,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("sensitivities with friction, which the reactions induce that it changes") {
+  TEST_CASE("sensitivities with friction, including the reactions that depend on it") {
     for (Model model : {slider_crank(), slotted_lever(), four_bar(), cam_with_flat_face(), cam_with_arm()}) {
       CAPTURE(model.links.back().name);
       for (Joint& joint : model.joints) {
@@ -129,7 +129,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("sensitivities with losses of teeth and belts") {
+  TEST_CASE("sensitivities with losses of gears and belts") {
     for (Case c : cases()) {
       bool loses = false;
       for (Joint& joint : c.model.joints) {
@@ -144,7 +144,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("sensitivities with springs and dampers, and to them") {
+  TEST_CASE("sensitivities with springs and dampers, and to their data") {
     Model model = slider_crank();
     model.springs.push_back({"a", Spring::Kind::linear, 1, ground, {0.1, 0.02}, {0.1, -0.3}, 2000.0, 0.2, 15.0});
     model.springs.push_back({"b", Spring::Kind::linear, 0, 2, {0.05, 0.0}, {0.0, 0.05}, 500.0, 0.1, 0.0});
@@ -185,7 +185,7 @@ TEST_SUITE("mechanism") {
     CHECK(piston(Dimension::offset, 0) == doctest::Approx(r * s + r * r * s * std::cos(phi) / root).epsilon(1e-13));
   }
 
-  TEST_CASE("at a dead point there are no derivatives, and it is said") {
+  TEST_CASE("at a dead point there are no derivatives, and this is reported") {
     Model model = slider_crank();
     model.drivers.clear();
     drive_sliding(model, "cylinder", 3);

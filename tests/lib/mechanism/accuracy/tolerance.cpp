@@ -62,7 +62,7 @@ TEST_SUITE("mechanism") {
     CHECK(e.shares[0] == doctest::Approx(by_r).epsilon(1e-12));
   }
 
-  TEST_CASE("a dimension that moves several numbers is one, and carries the point that it moves") {
+  TEST_CASE("a dimension that moves several numbers is one tolerance, and moves its point along") {
     // The full mechanism is shifted along x: both bearings on the ground, and the piston with them.
     const double t = 1e-4;
     const Tolerance shift{{{{Dimension::point_j_x, 0}}, {{Dimension::point_j_y, 0}, 0.0}}, t};
@@ -75,7 +75,7 @@ TEST_SUITE("mechanism") {
     CHECK(error_of(slider_crank(), 1.1, piston, {own}).worst() == 0.0);
   }
 
-  TEST_CASE("a load changes the effort by its share, and its place by the moment of it") {
+  TEST_CASE("a load changes the effort by its magnitude, and its point of application by the moment of it") {
     Model model = slider_crank();
     Sensitivity sensitivity(model);
     const Position at = at_rest(model, 1.1);
@@ -93,7 +93,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a mass counts for the effort and not for the place") {
+  TEST_CASE("a mass affects the effort and not the position") {
     const Parameter mass{Dimension::mass, 1};
     const OutputError place = error_of(slider_crank(), 1.1, piston, {{{{mass}}, 0.01}});
     CHECK(place.worst() == 0.0);
@@ -116,7 +116,7 @@ TEST_SUITE("mechanism") {
     CHECK(wide.deviation == doctest::Approx(wide.worst() / 3.0).epsilon(1e-12));
   }
 
-  TEST_CASE("a link hangs in the play of its pin") {
+  TEST_CASE("a link rests in the clearance of its pin") {
     Model model;
     model.gravity = {0.0, -9.81};
     const int bar = add_bar(model, "bar", {}, 1.0, 2.0);
@@ -163,7 +163,7 @@ TEST_SUITE("mechanism") {
     CHECK(e.worst_high > 0.7 * linear);
   }
 
-  TEST_CASE("at a dead point the tolerances of the output cannot be told, and it is said") {
+  TEST_CASE("at a dead point the tolerances of the output have no value, and this is reported") {
     Model model = driven_piston();
     Position at = blank_position(model);
     at.pose = {{0.0, 0.0, 0.0}, {0.1, 0.0, 0.0}, {0.4, 0.0, 0.0}};

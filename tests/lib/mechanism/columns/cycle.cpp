@@ -215,7 +215,7 @@ std::vector<Case> cases() {
 }  // namespace
 
 TEST_SUITE("mechanism in columns") {
-  TEST_CASE("a cycle in columns has the bits of one position after the other, of every variant") {
+  TEST_CASE("a cycle in columns has the bits of single positions, for every variant") {
     for (const Case& c : cases()) {
       CAPTURE(c.name);
       constexpr std::size_t positions = 77;  // not in full blocks
@@ -239,7 +239,7 @@ TEST_SUITE("mechanism in columns") {
     }
   }
 
-  TEST_CASE("solving once more gives the same, from the assembly on") {
+  TEST_CASE("solving once more gives the same result, from the assembly on") {
     const Model model = models::four_bar();
     CycleColumns columns(model, 50, all);
     const std::vector<Drive> drives = turn_from(1.0, 3.0, 50, 10.0), others = turn_from(1.2, 4.0, 50, 20.0);
@@ -263,7 +263,7 @@ TEST_SUITE("mechanism in columns") {
     }
   }
 
-  TEST_CASE("an assembly that stands at a change point is told, in whatever state a cycle has left it") {
+  TEST_CASE("an assembly at a change point is reported, whatever state a cycle has left it in") {
     Model model = models::four_bar();
     CycleColumns columns(model, 30, all);
     CHECK(columns.stands_clear());
@@ -274,7 +274,7 @@ TEST_SUITE("mechanism in columns") {
     CHECK_FALSE(CycleColumns(models::class_three(), 4).stands_clear());
   }
 
-  TEST_CASE("without inertia, and without what is not kept") {
+  TEST_CASE("without inertia, and without the results that are not kept") {
     const Model model = models::six_bar();
     const std::vector<Drive> drives = turn_from(1.0, 6.0, 33, 50.0);
     CycleColumns columns(model, drives.size());
@@ -290,7 +290,7 @@ TEST_SUITE("mechanism in columns") {
     }
   }
 
-  TEST_CASE("the sides of a cycle agree with the equations of the whole system") {
+  TEST_CASE("the sides of a cycle agree with the equations of the full system") {
     for (const Case& c : cases()) {
       if (!c.in_lanes) continue;
       CAPTURE(c.name);
@@ -332,7 +332,7 @@ TEST_SUITE("mechanism in columns") {
     }
   }
 
-  TEST_CASE("what is not a number closes nothing") {
+  TEST_CASE("NaN does not close a loop") {
     const Model model = models::slider_crank();
     CycleColumns columns(model, 20, all);
     std::vector<Drive> drives = turn_from(1.0, 1.0, 20, 10.0);

@@ -161,7 +161,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a full turn leads back to the start, with angles that went on and did not jump") {
+  TEST_CASE("a full revolution leads back to the start, with continuous angles") {
     for (const auto& cycle : cycles()) {
       const Model& model = cycle.model;
       CAPTURE(cycle.name);
@@ -186,7 +186,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("reactions add up when loads do") {
+  TEST_CASE("reactions superpose like loads") {
     Model only_first = six_bar();
     load(only_first, "second", 2, {0.1, 0.05}, {30.0, -70.0}, 4.0);
     Model only_second = only_first;
@@ -281,7 +281,7 @@ TEST_SUITE("mechanism") {
     CHECK(system.gap().size < 0.5);
   }
 
-  TEST_CASE("a rocker that is driven stops where the linkage stretches, and the solver stays where it was") {
+  TEST_CASE("a driven rocker stops where the linkage stretches, and the solver stays where it was") {
     Model model = four_bar();
     model.drivers[0].i = 2;
     WholeSystem system(model);

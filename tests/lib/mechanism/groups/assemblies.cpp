@@ -122,7 +122,7 @@ TEST_SUITE("mechanism") {
     check_closed(slot_on_a_moving_link(false), assemblies(slot_on_a_moving_link(false)));
   }
 
-  TEST_CASE("groups multiply, and what does not close is left out") {
+  TEST_CASE("groups multiply, and assemblies that do not close are left out") {
     CHECK(names(assemblies(six_bar())) ==
           Names{"B_left, D_ahead", "B_left, D_behind", "B_right, D_ahead", "B_right, D_behind"});
     check_closed(six_bar(), assemblies(six_bar()));
@@ -132,7 +132,7 @@ TEST_SUITE("mechanism") {
     CHECK(names(assemblies(high)) == Names{"B_left, D_ahead", "B_left, D_behind"});
   }
 
-  TEST_CASE("the names stay while the mechanism moves, and another start gives the same list") {
+  TEST_CASE("the names are unchanged while the mechanism moves, and another start gives the same list") {
     Model model = six_bar();
     WholeSystem system(model);
     REQUIRE(system.assemble() == Status::closed);
@@ -161,7 +161,7 @@ TEST_SUITE("mechanism") {
     check_closed(model, found);
   }
 
-  TEST_CASE("where a class III group has its most assemblies, six, all are found, numbered by the first link's angle") {
+  TEST_CASE("a class III group with the maximum of six assemblies: all are found, numbered by the first link's angle") {
     const Assemblies found = assemblies(six_fold());
     // The bar's angles where the last bar fits, by going round in small steps as above.
     const double angles[] = {0.0176, 0.0386, 0.3292, 1.1413, 1.6584, 5.1751};
@@ -174,7 +174,7 @@ TEST_SUITE("mechanism") {
     check_closed(six_fold(), found);
   }
 
-  TEST_CASE("without a loop there is one assembly; of very many the first are listed, and that is said") {
+  TEST_CASE("without a loop there is one assembly; of very many the first are listed, and this is reported") {
     CHECK(names(assemblies(telescope())) == Names{"the only one"});
     CHECK(assemblies(telescope()).complete);
     const Assemblies many = assemblies(chain(8));

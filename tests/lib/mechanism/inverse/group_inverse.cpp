@@ -58,7 +58,7 @@ double largest(std::span<const double> values) {
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("the inverse by groups is that of the whole Jacobian") {
+  TEST_CASE("the inverse by groups is that of the full Jacobian") {
     for (const Case& c : cases()) {
       CAPTURE(c.name);
       const Solved solved = solve(c.model, c.drives);
@@ -78,7 +78,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("what constraints supply by groups is what the whole system supplies") {
+  TEST_CASE("the products of the constraints by groups are those of the full system") {
     for (const Case& c : cases()) {
       CAPTURE(c.name);
       const Solved solved = solve(c.model, c.drives);

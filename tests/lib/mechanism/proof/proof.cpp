@@ -110,7 +110,7 @@ TEST_SUITE("mechanism") {
     CHECK(millimetres.trustworthy());
   }
 
-  TEST_CASE("the condition number is near what the solver estimates") {
+  TEST_CASE("the condition number is close to the estimate of the solver") {
     const Model model = six_bar();
     const Proven proven = prove(model, turning);
     WholeSystem system(model);
@@ -135,7 +135,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a couple or a place of a reaction that is off by a millionth is caught") {
+  TEST_CASE("a couple or a point of action of a reaction that is off by a millionth is caught") {
     const std::size_t guide = 6;
     for (const bool place : {false, true}) {
       const Proof proof = prove_changed([&](Position& at, double) {
@@ -148,7 +148,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("an effort that is off by a millionth, or turned about, is caught by every method") {
+  TEST_CASE("an effort that is off by a millionth, or reversed, is caught by every method") {
     for (const double factor : {1.0 + 1e-5, -1.0}) {
       const Proof proof = prove_changed([&](Position& at, double) { at.effort[0] *= factor; });
       for (std::size_t method = 0; method < Proof::methods; ++method) {
@@ -158,14 +158,14 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a sign of a reaction that is changed is caught") {
+  TEST_CASE("a reaction with the wrong sign is caught") {
     const Proof proof = prove_changed([](Position& at, double) { at.reactions[2].force = -at.reactions[2].force; });
     CHECK_FALSE(agrees(proof, Proof::whole_system));
     CHECK_FALSE(agrees(proof, Proof::released_constraints));
     CHECK_FALSE(agrees(proof, Proof::opened_chain));
   }
 
-  TEST_CASE("a place, a velocity or an acceleration that is off by a millionth is caught") {
+  TEST_CASE("a position, a velocity or an acceleration that is off by a millionth is caught") {
     for (const int order : {0, 1, 2}) {
       const Proof proof = prove_changed([&](Position& at, double) {
         if (order == 0) at.pose[2].phi += 1e-6;

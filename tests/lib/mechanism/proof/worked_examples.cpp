@@ -54,7 +54,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("text A, example 10.1: the driving moment over a turn by every method") {
+  TEST_CASE("text A, example 10.1: the driving moment over a revolution by every method") {
     const struct {
       double crank_deg, moment;
     } rows[] = {{-45.0, 13.75554497},  {0.0, 7.2},          {90.0, -6.8643}, {150.0, 60.65372005}, {180.0, -14.4},

@@ -68,7 +68,7 @@ TEST_SUITE("mechanism structure") {
     CHECK(dyad('P', 'P', 'R') == "1.1: crank; 2.2 RPP: a b");
   }
 
-  TEST_CASE("a pin in a slot stands for a slider, as in text A") {
+  TEST_CASE("a pin in a slot counts as a slider, as in text A") {
     CHECK(structure_of(models::slotted_lever()) == "1.1: crank; 2.2 RPR: lever");
     CHECK(structure_of(models::slotted_lever(true)).find("2.2 RPR: ") != std::string::npos);
   }

@@ -56,7 +56,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a spoilt part is named with what is wrong with it") {
+  TEST_CASE("a faulty part is named with its error") {
     const Row rows[] = {
         {"mass", [](Model& m) { m.links[1].mass = -1.5; }, About::link, 1,
          "link 'rod': mass -1.5 kg: must be finite and not negative"},
@@ -145,7 +145,7 @@ TEST_SUITE("mechanism") {
     CHECK(only_message(diagnose({})) == "the mechanism has no links");
   }
 
-  TEST_CASE("all faults of the parts are found at once") {
+  TEST_CASE("all errors of the parts are found at once") {
     Model model = slider_crank();
     model.links[0].mass = -1.0;
     model.joints[1].j = 1;
@@ -153,7 +153,7 @@ TEST_SUITE("mechanism") {
     CHECK(diagnose(model).size() == 3);
   }
 
-  TEST_CASE("a part that hangs together but not with the ground is named") {
+  TEST_CASE("a part that is connected in itself but not to the ground is named") {
     Model model = slider_crank();
     const int a = add_link(model, "left", {1.0, 1.0, 0.0});
     const int b = add_link(model, "right", {1.0, 1.0, 0.5});
@@ -197,7 +197,7 @@ TEST_SUITE("mechanism") {
     CHECK(findings[0].hint.text() == "remove a drive: 'motor', 'second'");
   }
 
-  TEST_CASE("two drivers on one freedom leave the other one loose") {
+  TEST_CASE("two drivers on one degree of freedom leave the other one free") {
     Model model = four_bar();
     drive_turning(model, "second", 2);
     const int roller = add_link(model, "roller", {0.33, 0.29, 0.0}, 0.1, 1e-4);
@@ -234,7 +234,7 @@ TEST_SUITE("mechanism") {
     CHECK(diagnose(parallel_cranks(2, 0.1)).empty());
   }
 
-  TEST_CASE("a frame that gives way at first only is singular") {
+  TEST_CASE("a frame with only infinitesimal mobility is singular") {
     Model model;
     const int left = add_link(model, "left", {0.0, 0.0, 0.0});
     const int right = add_link(model, "right", {1.0, 0.0, 0.0});
@@ -245,7 +245,7 @@ TEST_SUITE("mechanism") {
           "the stated position is singular: 'left', 'right' can move in more than one direction");
   }
 
-  TEST_CASE("a dead point of the drive is named with what it does not hold") {
+  TEST_CASE("a dead point of the drive is named with the freedom that it does not control") {
     Model model = slider_crank();
     model.drivers.clear();
     drive_sliding(model, "cylinder", 3);
@@ -275,7 +275,7 @@ TEST_SUITE("mechanism") {
     CHECK(analyse(model).mobility == 0);
   }
 
-  TEST_CASE("mass without inertia is a point mass and no fault") {
+  TEST_CASE("mass without inertia is a point mass and not an error") {
     Model model = slider_crank();
     model.links[0].inertia = 0.0;
     CHECK(diagnose(model).empty());

@@ -59,7 +59,7 @@ Model sprung_lever() {
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("the shares of all causes sum up to the reactions and efforts") {
+  TEST_CASE("the contributions of all causes sum up to the reactions and efforts") {
     std::vector<Case> all = cases();
     for (const Model& model :
          {slider_crank(), four_bar(), six_bar(), slotted_lever(), class_three(), five_bar(), boom(), telescope(),
@@ -75,7 +75,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a share is what the mechanism would have if its cause were alone") {
+  TEST_CASE("a contribution is the result of the mechanism with only this cause") {
     const Model model = six_bar();
     CauseSplit split(model);
     REQUIRE(split.find(in_motion(model)));
@@ -102,7 +102,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("friction in one pin is the cause of the rest of the moment, and no force moves without it") {
+  TEST_CASE("friction in one pin causes the difference of the moment, and no force changes without it") {
     Model model = slider_crank();
     model.gravity = {};
     model.joints[0].friction = {.coefficient = 0.2, .pin_radius = 0.01};

@@ -78,7 +78,7 @@ double jacobian_left(const Model& model, double limit, double hair) {
 }  // namespace
 
 TEST_SUITE("mechanism range of a drive") {
-  TEST_CASE("a crank that turns round has no limits") {
+  TEST_CASE("a crank that can revolve has no limits") {
     const DriveRange range = range_of(four_bar());
     CHECK(std::isinf(range.least));
     CHECK(std::isinf(range.most));
@@ -109,7 +109,7 @@ TEST_SUITE("mechanism range of a drive") {
     CHECK(std::abs(range.most - (2.0 * pi - bars.crank_at(0.15))) < exact);
   }
 
-  TEST_CASE("a rod shorter than the crank: square to the guide") {
+  TEST_CASE("a rod shorter than the crank: perpendicular to the guide") {
     Model model = slider_crank();
     model.joints[2].point_j = {0.08, 0.0};  // the rod's end, 0.08 m from the crank's pin at 0.1 m
     model.links[0].pose.phi = 0.2;
@@ -128,7 +128,7 @@ TEST_SUITE("mechanism range of a drive") {
     CHECK(std::isfinite(range->most));
   }
 
-  TEST_CASE("at a limit the Jacobian of a group vanishes, as the root of the distance from it") {
+  TEST_CASE("at a limit the Jacobian of a group vanishes with the root of the distance from it") {
     Model six = crank_with_six_link_group();
     for (const Model& model : {linkage({0.08, 0.06, 0.05, 0.1}, 0.3), six}) {
       const DriveRange range = range_of(model);

@@ -66,7 +66,7 @@ TEST_SUITE("mechanism jacobian of a group") {
     CHECK(found.metres == 2);
   }
 
-  TEST_CASE("a rod and a slider: l cos of its angle against the guide") {
+  TEST_CASE("a rod and a slider: l cos of its angle to the guide") {
     const Model model = slider_crank();
     const Jacobian found = of_second_group(model);
     CHECK(found.magnitude == doctest::Approx(0.3 * std::cos(assembled(model).pose[1].phi)).epsilon(1e-12));

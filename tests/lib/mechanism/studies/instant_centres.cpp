@@ -77,7 +77,7 @@ TEST_SUITE("mechanism") {
     check_at(instant_centre(moving({0.0, 1.0, 1.0 / 3.0}), 0, ground, 1.0), {-3.0, 0.0});
   }
 
-  TEST_CASE("equal velocities: the centre is at infinity, square to the motion") {
+  TEST_CASE("equal velocities: the centre is at infinity, perpendicular to the motion") {
     const InstantCentre centre = instant_centre(moving({0.0, 2.0, 0.0}), 0, ground, 1.0);
     CHECK(centre.kind == Kind::at_infinity);
     CHECK(std::abs(cross(centre.direction, {1.0, 0.0})) <= 1e-15);

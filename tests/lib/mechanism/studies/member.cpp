@@ -48,7 +48,7 @@ TEST_SUITE("mechanism") {
     CHECK(lumped.N.N == doctest::Approx(300.0));
   }
 
-  TEST_CASE("a bar that turns about its end is stretched by m omega^2 l / 2") {
+  TEST_CASE("a bar that rotates about its end is stretched by m omega^2 l / 2") {
     Model model;
     const int bar = add_bar(model, "bar", {}, 0.8, 3.0);
     pin(model, "O", bar, {}, ground, {});
@@ -65,7 +65,7 @@ TEST_SUITE("mechanism") {
     CHECK(std::abs(peaks.M.M) <= 1e-9);
   }
 
-  TEST_CASE("every link: the diagrams close at the end, however its mass lies") {
+  TEST_CASE("every link: the diagrams close at the end, whatever its mass distribution") {
     for (const Model& model : {slider_crank(), four_bar(), six_bar(), slotted_lever(), class_three()}) {
       const Solved solved = solve(model, {{1.1, 60.0, 300.0}});
       REQUIRE(solved.status == Status::closed);
@@ -91,7 +91,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a massless bar between two pins carries an axial force alone") {
+  TEST_CASE("a massless bar between two pins carries only an axial force") {
     Model model = four_bar();
     model.links[1].mass = model.links[1].inertia = 0.0;
     const Solved solved = solve(model, {{0.7, 20.0, 0.0}});

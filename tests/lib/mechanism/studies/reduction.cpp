@@ -95,7 +95,7 @@ TEST_SUITE("mechanism") {
     CHECK(reduction.find(solved_by_groups(model, {&drive, 1}))->derivative == doctest::Approx(slope).epsilon(1e-8));
   }
 
-  TEST_CASE("a friction moment counts with what is reduced") {
+  TEST_CASE("a friction moment counts together with the reduced quantities") {
     Model model = slider_crank();
     for (Joint& joint : model.joints) joint.friction = {.coefficient = 0.1, .pin_radius = 0.01};
     const std::vector<Drive> drives = drives_of(start_of(model), 0, 0.1);
@@ -106,7 +106,7 @@ TEST_SUITE("mechanism") {
     CHECK(reduced->effort(drives[0]) == doctest::Approx(at.effort[0]).epsilon(1e-9));
   }
 
-  TEST_CASE("reducing allocates nothing, and a dead point gives nothing") {
+  TEST_CASE("reducing allocates nothing, and a dead point gives no result") {
     const Model model = driven_piston();
     Reduction reduction(model);
     Position at = solved_by_groups(model, drives_of(start_of(model), 0, 0.01));
@@ -119,7 +119,7 @@ TEST_SUITE("mechanism") {
     CHECK_FALSE(reduction.find(at).has_value());
   }
 
-  TEST_CASE("two masses have a link's mass and mass centre, and lack some inertia or have too much") {
+  TEST_CASE("two masses have a link's mass and mass centre, and too little or too much inertia") {
     const auto masses = statically_equivalent(connecting_rod, {}, {0.27, 0.09});
     REQUIRE(masses.has_value());
     check_equivalent(connecting_rod, *masses);

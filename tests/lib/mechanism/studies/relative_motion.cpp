@@ -27,7 +27,7 @@ Absolute pin_of(const Joint& joint, const Position& at) {
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("a point that moves evenly along an evenly turning body has the Coriolis acceleration 2 omega v_r") {
+  TEST_CASE("a point that moves uniformly along a uniformly rotating body has the Coriolis acceleration 2 omega v_r") {
     const Model model = telescope();
     const double omega = 3.0, v = 0.4, xi = 0.8;
     const Solved solved = solve(model, {{0.7, omega, 0.0}, {xi, v, 0.0}});
@@ -62,7 +62,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("in a guide that stands still there is neither transport nor Coriolis part") {
+  TEST_CASE("in a fixed guide there is neither a transport nor a Coriolis part") {
     const Model model = slider_crank();
     const Solved solved = solve(model, {{1.0, 10.0, 5.0}});
     REQUIRE(solved.status == Status::closed);

@@ -38,7 +38,7 @@ Model with_counterweights(const Model& model, const std::vector<Counterweight>& 
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("the frame feels what the bearings pass on, but for weights and loads") {
+  TEST_CASE("the frame carries the reactions of the bearings, except for weights and loads") {
     Model model = four_bar();
     model.gravity = {};
     model.loads.clear();
@@ -58,7 +58,7 @@ TEST_SUITE("mechanism") {
           doctest::Approx(shaking(model, turn_of(model, 1)[0], about).moment).epsilon(1e-12));
   }
 
-  TEST_CASE("the rotating part of a slider-crank balances exactly") {
+  TEST_CASE("the rotating part of a slider-crank is balanced exactly") {
     Model model = slider_crank();
     model.links[0].centre = {0.04, 0.02};
     model.links[1].mass = model.links[1].inertia = model.links[2].mass = 0.0;
@@ -76,7 +76,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("in a stated direction a counterweight takes what lies in it") {
+  TEST_CASE("in a stated direction a counterweight balances the component in it") {
     Model model = slider_crank();
     model.links[0].centre = {0.04, 0.02};
     model.links[1].mass = model.links[1].inertia = model.links[2].mass = 0.0;
@@ -93,7 +93,7 @@ TEST_SUITE("mechanism") {
   }
 
   // R. S. Berkof, G. G. Lowen: the coupler's mass moment, divided between its pins, is balanced at crank and rocker.
-  TEST_CASE("counterweights on crank and rocker take all of a four-bar's shaking force") {
+  TEST_CASE("counterweights on crank and rocker balance all of a four-bar's shaking force") {
     Model model = four_bar();
     model.links[1].centre = {0.15, 0.04};
     const std::vector<Position> cycle = turn_of(model);
@@ -121,7 +121,7 @@ TEST_SUITE("mechanism") {
     CHECK(after.peak_force <= 1e-11 * shaking_over(model, cycle, {}).peak_force);
   }
 
-  TEST_CASE("one counterweight on the crank: the least rms, and a smaller peak when that is asked for") {
+  TEST_CASE("one counterweight on the crank: the smallest rms, and a smaller peak when that is requested") {
     const Model model = slider_crank();
     const std::vector<Position> cycle = turn_of(model);
     const std::vector<CounterweightSite> site{{0, {}}};

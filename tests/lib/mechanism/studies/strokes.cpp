@@ -85,7 +85,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("of all assemblies as many close with a positive determinant as with a negative one") {
+  TEST_CASE("as many assemblies close with a positive determinant as with a negative one") {
     for (const Model& model : {four_bar(), slider_crank(), slotted_lever(), class_three()}) {
       double sum = 0.0;
       for (const Assembly& assembly : assemblies(model).list) {
@@ -99,7 +99,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("a move near a change point is followed in small steps, and that is known") {
+  TEST_CASE("a move near a change point is followed in small steps, and this is recorded") {
     GroupSystem system(four_bar());
     REQUIRE(system.assemble() == Status::closed);
     Position at = blank_position(four_bar());
@@ -110,7 +110,7 @@ TEST_SUITE("mechanism") {
     CHECK(system.followed_in_steps());
   }
 
-  TEST_CASE("a central slider-crank has the stroke 2 r, and takes as long forth as back") {
+  TEST_CASE("a central slider-crank has the stroke 2 r, with equal forward and return times") {
     const auto all = strokes_of(slider_crank());
     const Stroke& piston = stroke_of(all, Stroke::Of::guide, 3);
     REQUIRE(piston.reversals.size() == 2);
@@ -143,7 +143,7 @@ TEST_SUITE("mechanism") {
     CHECK(rocker.time_ratio > 1.0);
   }
 
-  TEST_CASE("a slotted lever swings by twice asin(r / d), and returns quicker") {
+  TEST_CASE("a slotted lever swings by twice asin(r / d), with a quick return") {
     const double half = std::asin(0.03 / 0.09);
     const auto all = strokes_of(slotted_lever(), 360);
     const Stroke& lever = stroke_of(all, Stroke::Of::link, 1);
@@ -161,7 +161,7 @@ TEST_SUITE("mechanism") {
     CHECK(stroke_of(all, Stroke::Of::guide, 3).range == doctest::Approx(0.2).epsilon(1e-12));
   }
 
-  TEST_CASE("where positions are missing nothing is made up") {
+  TEST_CASE("missing positions are not interpolated") {
     const Model model = slider_crank();
     const Turn360 all = turn_of(model, 72);
     std::vector<bool> known(all.at.size(), false);

@@ -6,7 +6,7 @@ using namespace loadpath;
 using namespace loadpath::test;
 
 TEST_SUITE("project reading") {
-  TEST_CASE("a wrong dimension is told with the one that is expected") {
+  TEST_CASE("a wrong dimension is reported with the expected one") {
     CHECK(issues_of(axle + "T = \"2700 N\"\ntau_adm = \"30 MPa\"\n") ==
           R"(a.toml:3:6: error: '2700 N' is a force, a moment is expected
 3 | T = "2700 N"
@@ -15,7 +15,7 @@ TEST_SUITE("project reading") {
 )");
   }
 
-  TEST_CASE("an unknown unit is told with the nearest one, and the caret stands under it") {
+  TEST_CASE("an unknown unit is reported with the nearest one, and the caret is under it") {
     CHECK(issues_of(axle + "T = \"2700 N*m\"\ntau_adm = \"30 mpa\"\n") == R"(a.toml:4:15: error: unknown unit 'mpa'
 4 | tau_adm = "30 mpa"
   |               ^^^
@@ -49,7 +49,7 @@ TEST_SUITE("project reading") {
 )");
   }
 
-  TEST_CASE("an expression without its '=' is told as one") {
+  TEST_CASE("an expression without its '=' is reported as one") {
     CHECK(issues_of(axle + "T = \"peak(lever.drive.M)\"\ntau_adm = \"30 MPa\"\n") ==
           R"says(a.toml:3:6: error: 'peak(lever.drive.M)' is an expression without its '='
 3 | T = "peak(lever.drive.M)"
@@ -69,7 +69,7 @@ TEST_SUITE("project reading") {
 )");
   }
 
-  TEST_CASE("what is not finite is not a number") {
+  TEST_CASE("infinity and NaN are not numbers") {
     CHECK(issues_of(axle + "T = \"nan N*m\"\ntau_adm = inf\n") ==
           R"(a.toml:3:6: error: 'nan' is not a number to calculate with
 3 | T = "nan N*m"
@@ -82,7 +82,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 )");
   }
 
-  TEST_CASE("a value outside its bounds is told with value, unit and rule") {
+  TEST_CASE("a value outside its bounds is reported with value, unit and rule") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"-30 MPa\"\n") ==
           R"(a.toml:4:12: error: tau_adm = -30 MPa: must be > 0 MPa
 4 | tau_adm = "-30 MPa"
@@ -90,14 +90,14 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 )");
   }
 
-  TEST_CASE("sizes whose powers would leave the range of numbers are refused") {
+  TEST_CASE("sizes whose powers would exceed the range of numbers are refused") {
     for (const char* size : {"1e40 MPa", "1e-45 MPa"}) {
       CHECK(first_error(axle + "T = \"9 N*m\"\ntau_adm = \"" + size + "\"\n") ==
             "tau_adm = " + std::string(size) + " is implausible");
     }
   }
 
-  TEST_CASE("an unusual value is a warning, and the step is solved all the same") {
+  TEST_CASE("an unusual value is a warning, and the step is still solved") {
     const std::string text = axle + "T = \"9 N*m\"\ntau_adm = \"30 kPa\"\n";
     CHECK(issues_of(text) == R"(a.toml:4:12: warning: tau_adm = 0.03 MPa is unusual: 1 MPa to 1000 MPa is expected
 4 | tau_adm = "30 kPa"
@@ -108,7 +108,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
     CHECK_FALSE(project::verdicts(told(text).project).empty());
   }
 
-  TEST_CASE("an unknown key is told with the nearest field, and what misses it is not told again") {
+  TEST_CASE("an unknown key is reported with the nearest field, and the missing field is not reported again") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_amd = \"30 MPa\"\n")
               .starts_with(R"(a.toml:4:1: error: 'tau_amd' is not a valid key here
 4 | tau_amd = "30 MPa"
@@ -121,7 +121,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
     CHECK(told.starts_with("a.toml:5:1: error: 'd_min' is a result of shaft.torsion, not an input: "));
   }
 
-  TEST_CASE("an integer in quotes is told how to write it") {
+  TEST_CASE("an integer in quotes is reported with how to write it") {
     const auto told = [](const std::string& keys) {
       return issues_of(
           "[key]\ncalculator = \"shaft.key\"\nT = \"9 N*m\"\nd = \"40 mm\"\nkey = \"12x8\"\nl = \"40 mm\"\n" + keys);
@@ -131,7 +131,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
     CHECK(told("torque = true\n").find("'true' is not a valid value of 'torque'") != std::string::npos);
   }
 
-  TEST_CASE("an unknown key that is near nothing is told with all fields") {
+  TEST_CASE("an unknown key without a similar one is reported with all fields") {
     const std::string told =
         issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = [{ l = \"1 m\", width = \"3 mm\" }]\n");
     CHECK(told.starts_with(R"(a.toml:5:26: error: 'width' is not a valid key here
@@ -142,7 +142,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
       CHECK(told.find(key) != std::string::npos);
   }
 
-  TEST_CASE("a missing field is told with its meaning and unit") {
+  TEST_CASE("a missing field is reported with its meaning and unit") {
     CHECK(issues_of("[pin]\ncalculator = \"shaft.overhung\"\nF = \"1 kN\"\nT = \"9 N*m\"\nsigma_adm = \"60 MPa\"\n") ==
           R"(a.toml:1:1: error: 'a' is missing: overhang: distance from the force to the bearing centre
 1 | [pin]
@@ -151,7 +151,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 )");
   }
 
-  TEST_CASE("a field that is missing inside a list is told by its element") {
+  TEST_CASE("a field that is missing inside a list is reported by its element") {
     CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [{ x = \"0 m\", T = \"9 N*m\" }, { name = \"gear\", T = "
                            "\"-9 N*m\" }]\n") ==
           R"(a.toml:4:40: error: 'torques.gear.x' is missing: position from the left end
@@ -171,14 +171,14 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 )");
   }
 
-  TEST_CASE("a list that is too long is told with its length") {
+  TEST_CASE("a list that is too long is reported with its length") {
     std::string rows;
     for (int i = 0; i < 34; ++i) rows += "{ x = \"0 m\", T = \"0 N*m\" },";
     const std::string said = issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [" + rows + "]\n");
     CHECK(said.starts_with("a.toml:4:11: error: at most 33 torques; here are 34\n4 | torques = [{ x = "));
   }
 
-  TEST_CASE("a name that stands twice in a list is told at the second") {
+  TEST_CASE("a duplicate name in a list is reported at the second") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n[[axle.segments]]\nname = \"hub\"\nl = \"1 "
                            "m\"\n[[axle.segments]]\nname = \"hub\"\nl = \"2 m\"\n") ==
           R"(a.toml:9:9: error: the name 'hub' is used twice in 'segments'
@@ -201,7 +201,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
               rule);
   }
 
-  TEST_CASE("a word that is none of a choice is told with the nearest one") {
+  TEST_CASE("a word that is not in a choice is reported with the nearest one") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nfixed = \"lft\"\n") ==
           R"(a.toml:5:10: error: 'lft' is not a valid value of 'fixed'
 5 | fixed = "lft"
@@ -210,7 +210,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 )");
   }
 
-  TEST_CASE("a value of another type is told in words") {
+  TEST_CASE("a value of another type is described in words") {
     CHECK(issues_of(axle + "T = true\ntau_adm = \"30 MPa\"\nfixed = 3\nsegments = [3]\ntitle = 4\n") ==
           R"(a.toml:3:5: error: a quantity is expected, not true
 3 | T = true
@@ -256,7 +256,7 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
               .find("'values.T' is a range for searches") != std::string::npos);
   }
 
-  TEST_CASE("an uncertain value runs at its middle and says so") {
+  TEST_CASE("an uncertain value runs at its middle, and this is reported") {
     const std::string text = axle + "T = { mean = \"30 N*m\", sd = \"2 N*m\" }\ntau_adm = \"30 MPa\"\n";
     CHECK(issues_of(text) == R"(a.toml:3:5: warning: 'T' is uncertain; computed at its middle value
 3 | T = { mean = "30 N*m", sd = "2 N*m" }
@@ -271,7 +271,7 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
 )");
   }
 
-  TEST_CASE("a rule between fields is told at the first of them that was written") {
+  TEST_CASE("a rule between fields is reported at the first of them that was written") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nd = \"40 mm\"\nd_bore = \"50 mm\"\n") ==
           R"(a.toml:6:11: error: the bore must be smaller than the outer diameter of the shaft
 6 | d_bore = "50 mm"
@@ -295,7 +295,7 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
 )");
   }
 
-  TEST_CASE("a rule that knows particulars says which element and how much") {
+  TEST_CASE("a rule with details states which element and how much") {
     const std::string torques = axle + "tau_adm = \"30 MPa\"\ntorques = [{ x = \"0 m\", T = \"90 N*m\" }, ";
     CHECK(issues_of(torques + "{ x = \"1 m\", T = \"-60 N*m\" }]\n") ==
           R"(a.toml:4:11: error: the torques sum to 30 N·m, not to zero
@@ -323,7 +323,7 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
 )");
   }
 
-  TEST_CASE("all errors of a file are told at once, in the order of their places") {
+  TEST_CASE("all errors of a file are reported at once, in the order of their places") {
     CHECK(issues_of("[axle]\ncalculator = \"shaft.torsion\"\nT = \"9 N\"\ntau_adm = 30\n\n[pin]\ncalculator = "
                     "\"shaft.overhang\"\n\n[tables]\ncalculator = \"shaft.torsion\"\n") ==
           R"(a.toml:3:6: error: '9 N' is a force, a moment is expected

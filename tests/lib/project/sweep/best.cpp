@@ -45,7 +45,7 @@ project::Placed asked(const std::string& text) { return {text, {"--asked", 1, 1,
 }  // namespace
 
 TEST_SUITE("the best machine" * test::by_case) {
-  TEST_CASE("is that of all which passes with the least") {
+  TEST_CASE("is the one with the minimum of all that pass") {
     for (const char* load : {"20 kN", "40 kN", "70 kN"}) {
       const std::string text = tube + sizes + "P = \"" + load + "\"\n";
       const Swept all(text, {"a = " + area, "strut.passes"});
@@ -63,7 +63,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     }
   }
 
-  TEST_CASE("of continuous sizes lies on the bound that governs") {
+  TEST_CASE("of continuous sizes lies on the governing bound") {
     const std::string text =
         "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\nd = { from = \"20 mm\", to = "
         "\"90 "
@@ -111,7 +111,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(best->optimum.outputs[0] == Approx(7.8219e-5).epsilon(1e-3));
   }
 
-  TEST_CASE("of machines whose verdicts have no utilisation is held against the verdicts alone") {
+  TEST_CASE("of machines whose verdicts have no utilisation is compared by the verdicts alone") {
     const std::string text =
         "[bar]\ncalculator = \"mechanism.planar\"\ntemplate = \"four_bar\"\na = \"10 mm\"\nb = [\"21 mm\", \"25 "
         "mm\", \"2 mm\"]\nc = \"25 mm\"\nd = \"20 mm\"\ncrank.speed = \"60 rpm\"\n"
@@ -127,7 +127,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     }
   }
 
-  TEST_CASE("a neighbour that is no machine says why") {
+  TEST_CASE("a neighbour that is an invalid design states the reason") {
     const std::string text = tube + "d = [\"45 mm\", \"50 mm\"]\nd_bore = [\"20 mm\", \"50 mm\"]\nP = \"20 kN\"\n";
     std::vector<Issue> issues;
     const project::BestAsked wanted{asked(area), false, {asked("strut passes")}, {}, {}};
@@ -153,7 +153,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(told == 1);
   }
 
-  TEST_CASE("a value that is sought") {
+  TEST_CASE("for a target value") {
     const std::string text =
         "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\nd = { from = \"20 mm\", to = "
         "\"90 "
@@ -171,7 +171,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(contains(issues.back().message.text(), "shaft.tau_max"));
   }
 
-  TEST_CASE("what scatters is never chosen: a tolerance, and what lies between two bounds") {
+  TEST_CASE("scattered inputs are never chosen: a tolerance, and a range between two bounds") {
     for (const std::string bore :
          {"{ value = \"20 mm\", tolerance = \"2 mm\" }", "{ min = \"18 mm\", max = \"22 mm\" }"}) {
       const std::string text =
@@ -200,7 +200,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(contains(issues[0].message.text(), "needs the values of 'shaft.d'"));
   }
 
-  TEST_CASE("what a result hangs on: tau = 16 T/(pi d^3)") {
+  TEST_CASE("the inputs that a result depends on: tau = 16 T/(pi d^3)") {
     const std::string text =
         "[shaft]\ncalculator = \"shaft.torsion\"\nT = { mean = \"500 N*m\", sd = \"5 %\" }\ntau_adm = \"30 MPa\"\nd = "
         "{ mean "
@@ -248,7 +248,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK_FALSE(warns(100, std::nullopt));
   }
 
-  TEST_CASE("an objective and a demand may bear a name") {
+  TEST_CASE("an objective and a requirement may have a name") {
     const std::string text = tube + sizes + "P = \"40 kN\"\n";
     const auto find = [&](const std::string& objective, const std::string& demand) {
       std::vector<Issue> issues;
@@ -268,7 +268,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(bound.optimum.outputs == find(area, "strut.d <= 50 mm").optimum.outputs);
   }
 
-  TEST_CASE("what cannot be asked is told") {
+  TEST_CASE("invalid requests are reported") {
     const std::string text = tube + sizes + "P = \"40 kN\"\n";
     const auto fault = [&](const std::string& objective, const std::vector<project::Placed>& such_that) {
       std::vector<Issue> issues;

@@ -163,7 +163,7 @@ std::vector<std::string> with(std::vector<std::string> results, const std::vecto
 }  // namespace
 
 TEST_SUITE("points of sweeps: columns") {
-  TEST_CASE("a mechanism, a shaft of its peak and one over its positions, both with a size that is found") {
+  TEST_CASE("a mechanism, a shaft for its peak and one over its positions, both with a size that is found") {
     const Compared all =
         compare(lever(even, pins, "[\"15 kg\", \"20 kg\"]") + crankshaft + crank_end,
                 with(loads, {"d = crankshaft.d", "d_end = peak(crank_end.d)", "u = peak(crank_end.u_v)"}));
@@ -172,7 +172,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
   }
 
-  TEST_CASE("cranks that begin elsewhere have their series over other angles") {
+  TEST_CASE("cranks with different starts have their series over different angles") {
     const std::string starts =
         "speed = \"45 rad/s\", start = { from = \"-70 deg\", to = \"-50 deg\", count = 5 }, positions = 72";
     const Compared all =
@@ -182,7 +182,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
   }
 
-  TEST_CASE("speeds of the crank go together, as lengths do") {
+  TEST_CASE("speeds of the crank are solved together, like lengths") {
     const std::string speeds =
         "speed = { from = \"20 rad/s\", to = \"60 rad/s\", count = 40 }, start = \"-60 deg\", positions = 72";
     const Compared all =
@@ -193,7 +193,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
   }
 
-  TEST_CASE("who reads how fast a series runs has the speed of each point") {
+  TEST_CASE("inputs that need the speed of a series get that of each point") {
     const std::string speeds =
         "speed = { from = \"20 rad/s\", to = \"60 rad/s\", count = 5 }, start = \"-60 deg\", positions = 72";
     const std::string wheel =
@@ -205,7 +205,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
   }
 
-  TEST_CASE("a flywheel takes the moment of each point, whole") {
+  TEST_CASE("a flywheel takes the moment of each point, as a full series") {
     const std::string cranks =
         "speed = [\"45 rad/s\", \"30 rad/s\"], acceleration = [\"0 rad/s^2\", \"100 rad/s^2\"], start = \"-60 deg\", "
         "positions = 72";
@@ -225,13 +225,13 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(beside.differ == 0);
   }
 
-  TEST_CASE("speeds, one of them backward") {
+  TEST_CASE("speeds, one of them reversed") {
     const std::string speeds =
         "speed = [\"45 rad/s\", \"-30 rad/s\", \"5 rad/s\"], start = \"-60 deg\", positions = 72";
     CHECK(compare(lever(speeds, pins, "\"20 kg\"") + crankshaft, with(loads, {"d = crankshaft.d"})).differ == 0);
   }
 
-  TEST_CASE("a four-bar that does not turn round fails as alone, its shaft is a machine of its own") {
+  TEST_CASE("a four-bar that cannot revolve fails as when solved alone, its shaft is a machine of its own") {
     const std::string bar =
         "[bar]\ncalculator = \"mechanism.planar\"\ntemplate = \"four_bar\"\na = { from = \"10 mm\", to = \"40 mm\", "
         "count = "
@@ -243,7 +243,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
   }
 
-  TEST_CASE("limits that read where the links are are judged at every point") {
+  TEST_CASE("limits that depend on the positions of the links are assessed at every point") {
     const std::string press =
         "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = { from = \"50 mm\", to = \"150 "
         "mm\", count = 11 }\nl = \"200 mm\"\ncrank = { speed = \"60 rpm\", positions = 36 }\nlinks.slider.mass = \"2 "
@@ -259,7 +259,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(swept.column(state).back() == static_cast<double>(account::State::fail));  // r = 3/4 l
   }
 
-  TEST_CASE("a link that loses its mass is refused as alone") {
+  TEST_CASE("a link that loses its mass is refused as when solved alone") {
     const Compared all =
         compare(lever(even, "\"30 mm\"", "[\"20 kg\", \"10 kg\", \"0 kg\"]"), {"M = peak(lever.drive.M)"});
     const std::string text = lever(even, "\"30 mm\"", "[\"20 kg\", \"10 kg\", \"0 kg\"]");
@@ -276,7 +276,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
   }
 
-  TEST_CASE("a size within the limits of a method lies between some beyond them") {
+  TEST_CASE("a size within the limits of a method is found between some beyond them") {
     const std::string rod = "[rod]\ncalculator = \"test.gapped\"\nF = { from = \"1 kN\", to = \"200 kN\", log = 30 }\n";
     const Compared all = compare(rod, {"rod.d", "rod.x"}, with_gapped());
     CHECK(all.points == 30);
@@ -287,7 +287,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(std::isnan(swept.column("rod.d").back()));  // too thin, and the method is told of no thicker one
   }
 
-  TEST_CASE("a force beside the torque, which no diameter lets torsion cover") {
+  TEST_CASE("a force next to the torque, which torsion covers with no diameter") {
     const std::string over_turn =
         "[crankshaft]\ncalculator = \"shaft.torsion\"\nT = \"=lever.drive.M\"\nK_A = 1.4\nmaterial = "
         "\"C45E\"\ntau_adm = \"30 MPa\"\n";
@@ -298,7 +298,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
   }
 
-  TEST_CASE("a size that is found, and a strength that hangs on it, are told to other steps") {
+  TEST_CASE("a size that is found, and a strength that depends on it, are passed to other steps") {
     const std::string pin =
         "[pin]\ncalculator = \"pin.joint\"\nF = [\"100 kN\", \"10 kN\", \"1 kN\"]\nheld = \"in_fork\"\nloading = "
         "\"pulsating\"\nd = \"?\"\nt_1 = \"20 mm\"\nt_2 = \"12 mm\"\nc = \"0.5 mm\"\nmaterial = \"C45E\"\np_adm_1 = "
@@ -372,7 +372,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(by_value.differ == 0);
   }
 
-  TEST_CASE("most mechanisms of a sweep are solved without what people read") {
+  TEST_CASE("most mechanisms of a sweep are solved without display-only data") {
     const std::string text = lever(even, pins, "\"20 kg\"");
     std::vector<Issue> issues;
     project::Project project = project::read_project(text, "lever.toml", catalogue(), issues, project::Ranges::taken);

@@ -122,7 +122,7 @@ TEST_SUITE("designs of sweeps") {
       CHECK(rows[i - 1].results[0] <= rows[i].results[0]);
   }
 
-  TEST_CASE("shared out and merged in any order, stored and taken up again: the same bytes") {
+  TEST_CASE("split and merged in any order, stored and resumed: the same bytes") {
     const std::uint64_t samples = 300;
     const Points all = drawn(30, samples, 11);
     const std::string whole = bytes_of(of(all, samples));

@@ -108,7 +108,7 @@ TEST_SUITE("points of a sweep") {
     CHECK_MESSAGE(materials.errors().empty(), materials.errors());
   }
 
-  TEST_CASE("inputs that run together") {
+  TEST_CASE("inputs that vary together") {
     const Swept swept(shaft +
                           "T = [\"100 N*m\", \"200 N*m\"]\nd = [\"40 mm\", \"60 mm\"]\n[project]\nsweep = { zip = "
                           "[[\"shaft.T\", \"shaft.d\"]] }\n",
@@ -130,7 +130,7 @@ TEST_SUITE("points of a sweep") {
     CHECK(swept.column("b.T") == std::vector<double>{200, 400});
   }
 
-  TEST_CASE("points that break a rule are marked, and the next ones do not feel it") {
+  TEST_CASE("points that break a rule are marked, and do not affect the next ones") {
     const Swept swept(
         "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\ntau_adm = \"30 MPa\"\nd = \"30 "
         "mm\"\nd_h = [\"35 mm\", \"10 mm\", \"35 mm\"]\n",
@@ -142,7 +142,7 @@ TEST_SUITE("points of a sweep") {
     CHECK(swept.column("shaft.tau_max")[0] == swept.column("shaft.tau_max")[2]);
   }
 
-  TEST_CASE("what a step says of the part that it takes its load of is compared at every point") {
+  TEST_CASE("data in a step on the part whose load it takes are compared at every point") {
     const auto shaft_modes = [](const std::string& d) {
       const Swept swept(
           "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"200 N*m\"\ntau_adm = \"40 MPa\"\nd = \"" + d +
@@ -157,7 +157,7 @@ TEST_SUITE("points of a sweep") {
     CHECK(shaft_modes("30 mm") == std::vector<double>(2, static_cast<double>(account::State::not_judged)));
   }
 
-  TEST_CASE("what the project states beside a step is compared at every point, whichever comes first") {
+  TEST_CASE("data of the project next to a step are compared at every point, in either order") {
     const std::string left_out = "[values]\nT_start = \"150 N*m\"\n\n" + shaft + "d = \"60 mm\"\nT = ";
     const std::string limit =
         "[s]\ncalculator = \"fatigue.survival\"\nsigma_0 = \"288 MPa\"\nN_0 = 1e6\nT_S = 1.25\nk = 5\n"
@@ -215,7 +215,7 @@ TEST_SUITE("points of a sweep") {
     CHECK(pressed("[\"400 N*m\", \"700 N*m\"]") == std::vector<double>{held, pass});
   }
 
-  TEST_CASE("what is wrong with a range is told") {
+  TEST_CASE("errors in a range are reported") {
     const auto fault = [](const std::string& T, const std::string& more = "") {
       return Swept(shaft + "d = \"40 mm\"\nT = " + T + "\n" + more, {}).errors();
     };
@@ -234,7 +234,7 @@ TEST_SUITE("points of a sweep") {
         contains(Solved(shaft + "d = \"40 mm\"\nT = { mean = \"1 N*m\", sd = \"5 %\" }\n").messages(), "middle value"));
   }
 
-  TEST_CASE("results that cannot be read off are told") {
+  TEST_CASE("results that cannot be read are reported") {
     const auto fault = [](const std::string& result) {
       return Swept(shaft + "d = \"40 mm\"\nT = [\"1 N*m\", \"2 N*m\"]\n", {result}).errors();
     };
@@ -268,7 +268,7 @@ TEST_SUITE("points of a sweep") {
     CHECK(swept.plan.columns[2].unit == "kg*m*rad/s^2");
   }
 
-  TEST_CASE("what is no result is refused") {
+  TEST_CASE("a name that is not a result is refused") {
     const auto refusal = [](const std::string& result) {
       return Swept(shaft + "T = [\"100 N*m\", \"200 N*m\"]\nd = \"60 mm\"\n", {result}).errors();
     };

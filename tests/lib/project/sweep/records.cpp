@@ -81,7 +81,7 @@ TEST_SUITE("records in turn") {
     CHECK(both.column("bars.k") == std::vector<double>{first.column("bars.k")[0], second.column("bars.k")[0]});
   }
 
-  TEST_CASE("that do not go together are told") {
+  TEST_CASE("that contradict each other are reported") {
     const auto errors = [](const std::string& crank) {
       return Swept(press("crank = " + crank + "\n"), results).errors();
     };
@@ -96,7 +96,7 @@ TEST_SUITE("records in turn") {
                    "a value of a record in turn is written out"));
   }
 
-  TEST_CASE("run takes one of them, and says so once") {
+  TEST_CASE("run takes one of them, and reports it once") {
     std::vector<Issue> issues;
     project::read_project(press("crank = { each = [" + slow + ", " + fast + "] }\n"), "part.toml", catalogue(), issues);
     REQUIRE(issues.size() == 1);

@@ -33,7 +33,7 @@ constexpr std::string_view root_hint = "make it a number first: divide by 1 of i
 }  // namespace
 
 TEST_SUITE("quantity") {
-  TEST_CASE("a name that is nothing gets the answer of the project, at its own place") {
+  TEST_CASE("an unknown name gets the answer of the project, at its own place") {
     check_wrong({"2 * lever.mas", "lever.mas", "'lever.mas' has no result", "did you mean 'lever.mass'?"});
   }
 
@@ -76,7 +76,7 @@ TEST_SUITE("quantity") {
     for (const auto& row : rows) check_wrong(row);
   }
 
-  TEST_CASE("series of unlike axes are combined only when one of them is reduced") {
+  TEST_CASE("series over different axes are combined only when one of them is reduced") {
     constexpr std::string_view message =
         "series of unlike axes cannot be combined: 'lever: crank angle' and 'column: height'";
     constexpr std::string_view hint = "reduce one of them with peak, max, mean, at ...";
@@ -103,7 +103,7 @@ TEST_SUITE("quantity") {
     for (const auto& row : rows) check_wrong(row);
   }
 
-  TEST_CASE("a place is a constant in the unit of the axis") {
+  TEST_CASE("a position is a constant in the unit of the axis") {
     const Wrong rows[] = {
         {"at(lever.drive.M, 60)", "60", "the position must be on the axis 'lever: crank angle', not plain number",
          "write it in deg, as in 60 deg"},

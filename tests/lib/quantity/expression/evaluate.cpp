@@ -79,7 +79,7 @@ TEST_SUITE("quantity") {
     CHECK(number("at(lever.drive.M, 420 deg)") == doctest::Approx(number("at(lever.drive.M, 60 deg)")).epsilon(1e-12));
   }
 
-  TEST_CASE("a series is reckoned with position by position") {
+  TEST_CASE("a series is calculated position by position") {
     const Value power = value_of("lever.drive.M * lever.omega");
     REQUIRE(power.si.size() == 360);
     CHECK(power.signature.axis == &crank());
@@ -99,7 +99,7 @@ TEST_SUITE("quantity") {
     for (std::size_t i = 0; i < 360; ++i) CHECK(sum.si[i] == M[i] + F[i]);
   }
 
-  TEST_CASE("what has no value is not a number, never an infinity") {
+  TEST_CASE("an undefined value is NaN, never an infinity") {
     for (const std::string_view text :
          {"1/0", "-1/0", "0/0", "sqrt(-1)", "asin(2)", "(-8)^(1/3)", "0^-1", "1e300*1e300", "atan(1/0)", "1/(1/0)",
           "max(1, 1/0)", "max(1/0, 1)", "min(1, 0/0)", "min(0/0, 1)", "shaft.missing/shaft.d", "10^400",
@@ -109,13 +109,13 @@ TEST_SUITE("quantity") {
     }
   }
 
-  TEST_CASE("a position without a value leaves the others") {
+  TEST_CASE("a position without a value does not affect the others") {
     const Value value = value_of("1 N / (lever.joints.A.F)");
     CHECK(std::isnan(value.si[0]));
     CHECK(value.si[90] == doctest::Approx(1.0 / 500.0));
   }
 
-  TEST_CASE("what a step does not give is not available") {
+  TEST_CASE("a result that a step does not give is not available") {
     const auto parsed = Expression::parse("2 * s.a");
     REQUIRE(parsed);
     Value given{{Dimension::of(1, 0, 0), &crank()}, {}};

@@ -110,13 +110,13 @@ TEST_SUITE("intervals of laws") {
     }
   }
 
-  TEST_CASE("waves that vanish at every even place are found") {
+  TEST_CASE("waves that vanish at every even position are found") {
     const Resolved resolved = resolve(law_of("sin(64*pi*x)"), 0.0, 1.0, 0.01);
     CHECK(resolved.complete);
     CHECK(most_of(resolved) > 0.98);
   }
 
-  TEST_CASE("a pole and too many waves are told") {
+  TEST_CASE("a pole and too many waves are reported") {
     CHECK_FALSE(resolve(law_of("1/(x - 0.3)"), 0.0, 1.0, 0.01).complete);
     CHECK_FALSE(resolve(law_of("sin(1e9*x)"), 0.0, 1.0, 0.01).complete);
     CHECK(resolve(law_of("sqrt(x)"), 0.0, 1.0, 0.01).complete);

@@ -63,14 +63,14 @@ TEST_SUITE("law") {
     check("1 mm*cos(t/(1 s))/(1 + t/(1 s))", length, 0.0, {1e-3, -1e-3, 1e-3});
   }
 
-  TEST_CASE("the variable is no unit, and t alone is the time") {
+  TEST_CASE("the variable is not a unit, and t alone is the time") {
     check("3 mm*t/(1 s)", length, 2.0, {0.006, 0.003, 0.0});
     CHECK(said("2 t*(1 mm/s)", length).find("'t'") != std::string::npos);
     CHECK(said("3 mm + x", length) == "'x' is not a variable");
     CHECK(said("3 mm*lever.drive.M", length) == "'lever.drive.M' is not known here");
   }
 
-  TEST_CASE("t is the tonne where the time is no variable, and the remedy says so") {
+  TEST_CASE("t is the tonne where the time is not a variable, and the remedy states so") {
     for (const std::string text : {"0.5 + 0.1 1/s*t", "0.5 + 2 t", "2 t"}) {
       const auto law = Law::parse(text, {"phi", angle}, {});
       REQUIRE_FALSE(law);

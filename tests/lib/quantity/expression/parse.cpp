@@ -44,7 +44,7 @@ constexpr std::string_view times_hint = "write * between them";
 }  // namespace
 
 TEST_SUITE("quantity") {
-  TEST_CASE("a part of a reference that is no name stands in quotes") {
+  TEST_CASE("a part of a reference that is not a name is in quotes") {
     const auto parsed = Expression::parse("2*tables.sections.\"IPE 330\".I_y + tables.materials.\"1.0038\".E * x.y");
     REQUIRE(parsed);
     const auto& references = parsed->references();
@@ -164,7 +164,7 @@ TEST_SUITE("quantity") {
     for (const auto& row : rows) check_wrong(row);
   }
 
-  TEST_CASE("an empty expression says what to write") {
+  TEST_CASE("an empty expression is reported with what to write") {
     for (const std::string_view text : {"", "   ", "\t"}) {
       const auto parsed = Expression::parse(text);
       REQUIRE_FALSE(parsed);

@@ -134,7 +134,7 @@ TEST_SUITE("quantity") {
     }
   }
 
-  TEST_CASE("the check of dimensions never disagrees with the evaluation") {
+  TEST_CASE("the check of dimensions never contradicts the evaluation") {
     Generator generator{22};
     int right = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -162,13 +162,13 @@ TEST_SUITE("quantity") {
     CHECK(right > 1000);
   }
 
-  TEST_CASE("a change of units scales nothing") {
+  TEST_CASE("a change of units does not change the value") {
     CHECK(
         same(value_of("peak(lever.drive.M + 2 kN*mm)").si.front(), value_of("peak(lever.drive.M + 2 N*m)").si.front()));
     CHECK(same(value_of("at(lever.drive.M, 0.25 rev)").si.front(), value_of("at(lever.drive.M, 90 deg)").si.front()));
   }
 
-  TEST_CASE("mean, work and values at a place superpose") {
+  TEST_CASE("mean, work and values at a position superpose") {
     const Value& M = known("lever.drive.M");
     Generator generator{23};
     for (int i = 0; i < 200; ++i) {

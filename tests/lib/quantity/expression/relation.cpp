@@ -42,13 +42,13 @@ TEST_SUITE("relation") {
     CHECK(std::isnan(value("1 N*m/x", 0.0, 0.0, 0.0)));
   }
 
-  TEST_CASE("any quantity, where none is asked for") {
+  TEST_CASE("any quantity, where none is required") {
     const auto relation = Relation::parse("x - 2 m", variables, std::nullopt);
     REQUIRE(relation);
     CHECK(relation->at(std::array{5.0, 0.0, 0.0}) == 3.0);
   }
 
-  TEST_CASE("what is no function of the variables is told with them") {
+  TEST_CASE("a relation that is not a function of the variables is reported with them") {
     CHECK(said("w + 2 N").find("the variables are x, v_x, t") != std::string::npos);
     CHECK(said("2 N/m*step.x").find("variables x, v_x, t") != std::string::npos);
     CHECK(said("3 m").find("length") != std::string::npos);

@@ -5,7 +5,7 @@
 using loadpath::report::base64;
 
 TEST_SUITE("report") {
-  TEST_CASE("the test vectors of RFC 4648 come out") {
+  TEST_CASE("the test vectors of RFC 4648 are reproduced") {
     CHECK(base64("").empty());
     CHECK(base64("f") == "Zg==");
     CHECK(base64("fo") == "Zm8=");

@@ -21,7 +21,7 @@ std::string body(const std::vector<Block>& blocks) {
 }  // namespace
 
 TEST_SUITE("report") {
-  TEST_CASE("symbols of running text have subscripts; what a user types has none") {
+  TEST_CASE("symbols of running text have subscripts; text typed by the user has none") {
     const auto paragraph = [](const char* text) { return body({Paragraph{say("{1}", text)}}); };
     CHECK(contains(paragraph("K_A 1.25; in σ_adm"), "K<sub>A</sub> 1.25; in σ<sub>adm</sub>"));
     for (const char* typed : {"left_seat", "values.K_A", "m_n.x", "stage_1", "x_"}) {
@@ -37,7 +37,7 @@ TEST_SUITE("report") {
     CHECK(contains(paragraph("give K_A = \"z_1\" & more"), "K<sub>A</sub> = &quot;z_1&quot; &amp; more"));
   }
 
-  TEST_CASE("an expression breaks behind the dots of its path") {
+  TEST_CASE("an expression breaks after the dots of its path") {
     const std::string text = body({Table{{}, {say("a"), say("b")}, {{"x", "= left.bearings.F_r + 0.5"}}}});
     CHECK(contains(text, "= left.<wbr>bearings.<wbr>F_r + 0.5"));
   }
@@ -56,7 +56,7 @@ TEST_SUITE("report") {
           "</ul>\n</main>");
   }
 
-  TEST_CASE("a value without a formula stands alone, a value that is missing is said to be") {
+  TEST_CASE("a value without a formula is alone, a missing value is marked as missing") {
     Step step{"d", "", {}, {std::numeric_limits<double>::quiet_NaN(), "mm"}, {}};
     CHECK(contains(body({Derivation{{step}}}), "<li class=\"v\"><i>𝑑</i><p>= not available</p></li>"));
   }
@@ -71,7 +71,7 @@ TEST_SUITE("report") {
     CHECK(contains(body({values}), "<table class=\"of-values"));
   }
 
-  TEST_CASE("a formula outside of the language is shown as written") {
+  TEST_CASE("a formula outside the language is shown as written") {
     Step step = torsion_step();
     step.formula = "a >> b";
     CHECK(contains(body({Derivation{{step}}}), "<code>= a &gt;&gt; b</code>"));
@@ -122,7 +122,7 @@ TEST_SUITE("report") {
     }
   }
 
-  TEST_CASE("a table of many columns has its units in the head, four digits, and what has no room below") {
+  TEST_CASE("a table of many columns has its units in the head, four digits, and overflow below") {
     Table table{say("sections"), {say("no.")}, {{std::string("left")}, {std::string("right")}}};
     for (int i = 0; i < 32; ++i) {
       table.head.push_back(say("{1}", i < 16 ? "M" : "F"));
@@ -141,7 +141,7 @@ TEST_SUITE("report") {
     CHECK(contains(body({table}), "<td>1235 N·m</td>"));
   }
 
-  TEST_CASE("a narrow table stands beside the next one, its units in the head") {
+  TEST_CASE("a narrow table is next to the following one, its units in the head") {
     const Table narrow{
         say("pieces"), {say("no."), say("d")}, {{"a", Quantity{0.03, "mm"}}, {"b", Quantity{0.04, "mm"}}}};
     CHECK(contains(body({narrow}), "<div class=\"table beside\">"));
@@ -165,7 +165,7 @@ TEST_SUITE("report") {
     }
   }
 
-  TEST_CASE("the verdict is said in words and by a shape") {
+  TEST_CASE("the verdict is given in words and by a shape") {
     struct Row {
       State state;
       const char *name, *word;
@@ -195,7 +195,7 @@ TEST_SUITE("report") {
     CHECK_FALSE(contains(html(document), "<p class=\"conclusion\""));
   }
 
-  TEST_CASE("modes that were not considered and nothing would assess are told in one line") {
+  TEST_CASE("modes that were not considered and that nothing would assess are in one line") {
     Document document = shaft_document();
     account::Mode wear = mode(0.0, State::open);
     wear.kind = ModeKind::special;
@@ -254,7 +254,7 @@ TEST_SUITE("report") {
     CHECK(contains(html(document), "<dt>Date</dt><dd>2026-11-28</dd>"));
   }
 
-  TEST_CASE("panels stand side by side with their shares, numbered where the page is") {
+  TEST_CASE("panels are side by side with their shares, numbered where the page is") {
     const std::string page = html(paged_document());
     CHECK(contains(page, "<div class=\"band\" style=\"grid-template-columns:minmax(0,66fr) minmax(0,105fr)\">"));
     CHECK(contains(page, "<h2>Chosen sizes</h2>"));
@@ -263,7 +263,7 @@ TEST_SUITE("report") {
     CHECK(contains(page, "0.830<span class=\"bar\""));
   }
 
-  TEST_CASE("no text of a user becomes markup") {
+  TEST_CASE("no text of the user becomes markup") {
     for (const Document& document : {hostile_document(), hostile_pages()}) {
       const std::string text = html(document);
       CHECK_FALSE(contains(text, "<script>alert"));
@@ -276,7 +276,7 @@ TEST_SUITE("report") {
     CHECK(contains(page, "content:\"\\3c \\2f title\\3e "));
   }
 
-  TEST_CASE("the page carries its font and asks nothing of the network or of the clock") {
+  TEST_CASE("the page contains its font and needs neither the network nor the clock") {
     const std::string page = html(shaft_document());
     CHECK(contains(page, "@font-face{font-family:\"Loadpath Math\";src:url(data:font/woff2;base64,d09GMk9UVE8A"));
     for (const char* part : {"<script src", "fetch(", "http:", "https:", "<link", "@import", "onload"}) {
@@ -286,7 +286,7 @@ TEST_SUITE("report") {
     CHECK(page == html(shaft_document()));
   }
 
-  TEST_CASE("letters of titles that few reports have bring their font") {
+  TEST_CASE("rare letters in titles add their font") {
     Document document = shaft_document();
     document.title = "Größe 3 µm · Ø 20, η ≥ 0.9";
     CHECK_FALSE(contains(html(document), "unicode-range"));
@@ -297,7 +297,7 @@ TEST_SUITE("report") {
     }
   }
 
-  TEST_CASE("a mechanism that moves has one small script in the page, and no name stands in its data") {
+  TEST_CASE("a moving mechanism has one small script in the page, and its data contain no names") {
     figure::Motion motion;
     motion.still.bodies = {{hostile, {{0.0, 0.0}, {1.0, 0.0}}}};
     motion.links = {{{{{0.0, 0.0}, 0.0}, {{0.0, 0.0}, 0.1}}}};

@@ -6,7 +6,7 @@
 using loadpath::report::page::math;
 
 TEST_SUITE("report") {
-  TEST_CASE("a formula without a fraction or a root is text, its letters slanted, its subscripts low") {
+  TEST_CASE("a formula without a fraction or a root is text, its letters in italics, its subscripts low") {
     CHECK(math("<mo>=</mo><mtext>not available</mtext>") == "<i>= not available</i>");
     CHECK(math("<mo form=\"infix\">+</mo><mi>W</mi>") == "<i> + 𝑊</i>");
     CHECK(math("<msub><mi>τ</mi><mi>t</mi></msub>") == "<i>𝜏<sub>𝑡</sub></i>");
@@ -15,7 +15,7 @@ TEST_SUITE("report") {
           "<i>min(𝑎,\u20091)</i>");
   }
 
-  TEST_CASE("two scripts at one letter, and what is not markup, stay as they are") {
+  TEST_CASE("two scripts at one letter, and text that is not markup, are unchanged") {
     CHECK(math("<msubsup><mi>R</mi><mi>x</mi><mn>2</mn></msubsup>") ==
           "<math><msubsup><mi>R</mi><mi>x</mi><mn>2</mn></msubsup></math>");
     CHECK(math("a < b") == "<math>a < b</math>");

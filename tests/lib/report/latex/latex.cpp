@@ -69,14 +69,14 @@ TEST_SUITE("report") {
     CHECK(tex::declared_letters("Ст3").starts_with("\\IfFileExists{t2aenc.def}{\\usepackage[T2A,T1]{fontenc}}{"));
   }
 
-  TEST_CASE("the paper is the document's") {
+  TEST_CASE("the paper size is that of the document") {
     Document document = shaft_document();
     CHECK(contains(latex(document), "\n\\documentclass[10pt,a4paper]{article}\n"));
     document.paper = "letter";
     CHECK(contains(latex(document), "\n\\documentclass[10pt,letterpaper]{article}\n"));
   }
 
-  TEST_CASE("columns share a line: numbers stay whole, words break, and what does not fit is set smaller") {
+  TEST_CASE("columns share a line: numbers are not broken, words are, and what does not fit is set smaller") {
     const tex::Widths all = tex::widths_of({{10.0, 10.0}, {12.0, 40.0}});
     CHECK(all.type == "\\small");
     CHECK(all.shares == std::vector<double>{0.0, 0.0});
@@ -92,7 +92,7 @@ TEST_SUITE("report") {
     CHECK(small.shares == std::vector<double>{0.0, 0.0});
   }
 
-  TEST_CASE("the input stands in LaTeX as it was typed, and ends nothing") {
+  TEST_CASE("the input is in LaTeX as it was typed, and cannot end a block") {
     Document document = shaft_document();
     document.input = "[a]\n\td = \"5 %\"  # \\x\n# \\end{verbatim} {\n";
     CHECK(contains(latex(document),
@@ -100,7 +100,7 @@ TEST_SUITE("report") {
                    "\\textbackslash{}end\\{verbatim\\} \\{}\n\\begin{verbatim}\n\\end{verbatim}\n"));
   }
 
-  TEST_CASE("what is filled in by hand has a line of its own") {
+  TEST_CASE("an entry to be filled in by hand has a line of its own") {
     Document document;
     document.blocks = {
         Table{{}, {say("part"), say("name"), say("signature")}, {{say("checked"), std::string(), std::string()}}}};

@@ -85,7 +85,7 @@ TEST_SUITE("report") {
     }
   }
 
-  TEST_CASE("a table without headings still is one") {
+  TEST_CASE("a table without headings is still a table") {
     Document document;
     document.title = "t";
     document.blocks = {Table{{}, {}, {{std::string("a"), Quantity{0.001, "mm"}}, {std::string("long")}}}};
@@ -97,7 +97,7 @@ TEST_SUITE("report") {
           "| long |      |\n\n");
   }
 
-  TEST_CASE("figures are files beside the text, numbered so that their names differ") {
+  TEST_CASE("figures are files next to the text, numbered so that their names differ") {
     Document document;
     const figure::Figure figure{"moment", "Drive moment", figure::Plot{}};
     document.blocks = {figure, figure};
@@ -109,7 +109,7 @@ TEST_SUITE("report") {
     CHECK(contains(out.text, "![Drive moment](my%20report-1-moment.svg)\n\n**Figure 1.** Drive moment\n"));
   }
 
-  TEST_CASE("no text of a user becomes markup; a formula outside of the language is code") {
+  TEST_CASE("no text of the user becomes markup; a formula outside the language is code") {
     std::string text = markdown(hostile_document(), "x").text;
     const std::string formula = "`` " + std::string(hostile) + " ``\n";
     const std::size_t at = text.find(formula);

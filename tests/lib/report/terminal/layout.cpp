@@ -5,7 +5,7 @@
 using namespace loadpath::terminal;
 
 TEST_SUITE("terminal layout") {
-  TEST_CASE("columns that fit stand beside one another") {
+  TEST_CASE("columns that fit are side by side") {
     CHECK(columns({{"  d", "mm", "outer diameter"}, {"  theta", "deg", ""}}, 80) ==
           "  d      mm   outer diameter\n  theta  deg  \n");
   }
@@ -20,12 +20,12 @@ TEST_SUITE("terminal layout") {
     CHECK(columns({{"  sigma = F / A", "stress"}}, 18) == "  sigma =   stress\n    F / A\n");
   }
 
-  TEST_CASE("the widest column gives way first, and words are whole") {
+  TEST_CASE("the widest column is narrowed first, and words are not broken") {
     CHECK(columns({{"a b", "one two three four"}}, 12) == "a b  one two\n     three\n     four\n");
     CHECK(columns({{"unbreakable", "word"}}, 5) == "unbreakable  word\n");
   }
 
-  TEST_CASE("what has a colour is one word of no more width than its letters") {
+  TEST_CASE("a coloured text is one word with the width of its letters") {
     CHECK(columns({{"\033[33mnot judged\033[0m", "a bb ccc"}}, 16) ==
           "\033[33mnot judged\033[0m  a bb\n            ccc\n");
   }
@@ -37,10 +37,10 @@ TEST_SUITE("terminal layout") {
 
   TEST_CASE("letters are counted, not bytes") { CHECK(columns({{"µm", "x"}, {"mm", "y"}}, 80) == "µm  x\nmm  y\n"); }
 
-  TEST_CASE("a paragraph breaks between words and hangs") {
+  TEST_CASE("a paragraph breaks between words and has a hanging indent") {
     CHECK(paragraph("[B19] Technical mechanics", 2, 16) == "[B19] Technical\n  mechanics\n");
     CHECK(paragraph("short", 2, 16) == "short\n");
   }
 
-  TEST_CASE("where there is no terminal a line has 100 characters") { CHECK(line_width() == 100); }
+  TEST_CASE("without a terminal a line has 100 characters") { CHECK(line_width() == 100); }
 }

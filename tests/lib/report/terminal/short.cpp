@@ -71,7 +71,7 @@ tau_adm = "30 MPa"
 }  // namespace
 
 TEST_SUITE("short answer") {
-  TEST_CASE("of every example: the verdict first, at most 25 lines of 80 columns, no line wider than it may be") {
+  TEST_CASE("every example: the verdict first, at most 25 lines of 80 columns, no line too wide") {
     CHECK(examples().size() >= 16);
     for (const std::string& file : examples()) {
       CAPTURE(file);
@@ -89,7 +89,7 @@ TEST_SUITE("short answer") {
     }
   }
 
-  TEST_CASE("where the locale has no UTF-8 there are signs of ASCII alone") {
+  TEST_CASE("where the locale has no UTF-8 all signs are ASCII") {
     for (const std::string& file : examples()) {
       CAPTURE(file);
       const std::string text = terminal::short_answer(report::summarise(example(file)), {.width = 80, .utf8 = false});
@@ -118,7 +118,7 @@ TEST_SUITE("short answer") {
     CHECK(contains(text, " 1.336 █████████▶\n"));
   }
 
-  TEST_CASE("every calculator declares what stands in the size column, by fields that it has") {
+  TEST_CASE("every calculator declares the contents of the size column, by fields that it has") {
     for (const Calculator* calculator : calculators()) {
       CAPTURE(std::string(calculator->id));
       CHECK(*calculator->headline != '\0');
@@ -142,7 +142,7 @@ TEST_SUITE("short answer") {
     CHECK(report::short_quantity(12345.0, "N") == "12.35\u00A0kN");
   }
 
-  TEST_CASE("what the answer is made of is data: the next smaller size, demand and capacity, the step to add") {
+  TEST_CASE("the data of the answer: the next smaller size, demand and capacity, the step to add") {
     const report::Summary shaft = report::summarise(example(LOADPATH_ROOT "/examples/line-shaft/project.toml"));
     REQUIRE(shaft.next.size() == 1);
     CHECK(shaft.next[0].size.name == "95 mm");

@@ -75,7 +75,7 @@ TEST_SUITE("points of sweeps: Sobol") {
     }
   }
 
-  TEST_CASE("other seeds and shifts give other samples, and a sample hangs on its index alone") {
+  TEST_CASE("other seeds and shifts give other samples, and a sample depends on its index alone") {
     const Sobol sobol(3, 5);
     const auto column = variable_of(sobol, 2, 100);
     CHECK(column != variable_of(sobol, 2, 100, 1));
@@ -87,7 +87,7 @@ TEST_SUITE("points of sweeps: Sobol") {
     }
   }
 
-  TEST_CASE("a mean over a Sobol sequence is nearer to its integral, and free of bias") {
+  TEST_CASE("a mean over a Sobol sequence is closer to its integral, and free of bias") {
     double plain = 0.0, even = 0.0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       plain += error_of_mean(Sampling::random, seed);

@@ -88,7 +88,7 @@ TEST_SUITE("points of sweeps") {
     CHECK(chi_square < 149.0);  // and 0.1 % above 148.2
   }
 
-  TEST_CASE("an axis by steps meets its end within rounding, and holds no error that grows") {
+  TEST_CASE("an axis by steps meets its end within rounding, and accumulates no error") {
     const auto tenths = values_of(*Axis::by_step(0.0, 1.0, 0.1));
     REQUIRE(tenths.size() == 11);
     for (std::size_t i = 0; i < 10; ++i) CHECK(tenths[i] == static_cast<double>(i) * 0.1);
@@ -111,7 +111,7 @@ TEST_SUITE("points of sweeps") {
     CHECK(values_of(*Axis::logarithmic(-1.0, -0.01, 3)) == std::vector<double>{-1.0, -0.1, -0.01});
   }
 
-  TEST_CASE("an axis that leads nowhere is refused") {
+  TEST_CASE("an axis without points is refused") {
     CHECK(Axis::by_step(0.0, 1.0, 0.0).fault().message.text() == "the step must not be zero");
     CHECK(Axis::by_step(0.0, 1.0, -0.1).fault().message.text() == "the step leads away from the end of the range");
     CHECK(Axis::by_step(0.0, 1.0, 1e-20).fault().message.text() == "the step is too small for the range");
@@ -124,7 +124,7 @@ TEST_SUITE("points of sweeps") {
     CHECK(Axis::list({1.0, NAN}).fault().message.text() == "the values must be numbers");
   }
 
-  TEST_CASE("the first level is the slowest, and values of a level run together") {
+  TEST_CASE("the first level is the slowest, and values of a level vary together") {
     const Space space = *Space::of({{list({1.0, 2.0})}, {list({3.0, 4.0, 5.0}), list({6.0, 7.0, 8.0})}}, {});
     CHECK(space.count() == 6);
     CHECK(columns_of(space, 0, 6) ==
@@ -132,12 +132,12 @@ TEST_SUITE("points of sweeps") {
     CHECK(space.point(4) == std::vector<double>{2.0, 4.0, 7.0});
   }
 
-  TEST_CASE("a space of nothing is one point") {
+  TEST_CASE("an empty space is one point") {
     CHECK(Space().count() == 1);
     CHECK(Space().point(0).empty());
   }
 
-  TEST_CASE("a point is a function of its index alone, however points are asked for") {
+  TEST_CASE("a point is a function of its index alone, in whatever order points are requested") {
     for (const auto sampling : {Sampling::random, Sampling::latin_hypercube, Sampling::sobol}) {
       for (const bool common : {false, true}) {
         Space::Random random = two_normals(0.6, 37);
@@ -161,7 +161,7 @@ TEST_SUITE("points of sweeps") {
     }
   }
 
-  TEST_CASE("samples have the moments and the correlation of what they are drawn from") {
+  TEST_CASE("samples have the moments and the correlation of their distributions") {
     constexpr std::size_t n = 200'000;
     const double rho = 0.7;
     Space::Random random = two_normals(rho, n);
@@ -181,7 +181,7 @@ TEST_SUITE("points of sweeps") {
     CHECK(std::abs(mean_product(a, b) - rho) < error * std::sqrt(1.0 + rho * rho));
   }
 
-  TEST_CASE("what is correlated keeps its own distribution") {
+  TEST_CASE("correlated variables keep their own distribution") {
     constexpr std::size_t n = 20'000;
     const Columns found = columns_of(*Space::of({}, two_normals(-0.8, n)), 0, n);
     std::vector<double> sorted = found[1];
@@ -194,7 +194,7 @@ TEST_SUITE("points of sweeps") {
     CHECK(away * std::sqrt(static_cast<double>(n)) < 1.95);  // Kolmogorov: 0.1 % lie above
   }
 
-  TEST_CASE("a variable of a correlation matrix that goes with no other has the bits that it has alone") {
+  TEST_CASE("an uncorrelated variable of a correlation matrix has the bits that it has alone") {
     Space::Random alone = two_normals(0.0, 100), beside = alone;
     beside.variables.push_back(Distribution(Lognormal{2.0, 0.1}));
     beside.correlation = *Correlation::of({1.0, 0.0, 0.5, 0.0, 1.0, 0.0, 0.5, 0.0, 1.0}, {"a", "b", "c"});
@@ -227,7 +227,7 @@ TEST_SUITE("points of sweeps") {
     }
   }
 
-  TEST_CASE("a correlation matrix that cannot be is refused, with the pair") {
+  TEST_CASE("an impossible correlation matrix is refused, with the pair") {
     const std::vector<std::string> names{"d", "T", "R_e"};
     const auto refused = [&](std::vector<double> matrix) { return Correlation::of(std::move(matrix), names).fault(); };
     CHECK(refused({1.0, 0.0, 0.0, 0.0, 1.0, 0.1, 0.0, 0.2, 1.0}).message.text() ==
@@ -245,7 +245,7 @@ TEST_SUITE("points of sweeps") {
     CHECK(contradicts.hint.text() == "with the others as they are it lies between 0.07251 and 0.8275");
   }
 
-  TEST_CASE("spaces that cannot be are refused") {
+  TEST_CASE("impossible spaces are refused") {
     const Axis big = *Axis::by_count(0.0, 1.0, std::uint64_t{1} << 31);
     CHECK(Space::of({{big}, {big}}, {})->count() == std::uint64_t{1} << 62);
     CHECK(Space::of({{big}, {big}, {list({1.0, 2.0, 3.0})}}, {}).fault().message.text() ==

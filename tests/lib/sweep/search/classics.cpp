@@ -77,7 +77,7 @@ TEST_SUITE("designs of the literature") {
 
   // Sandgren 1990 (its formulas as in the library of GAMS, model 206, with the limits given there): 2.65856. For each
   // wire and number of coils the thinnest coil that the preload allows is the best, so that the best of all is closed.
-  TEST_CASE("the coil spring of a wire from a list and whole coils") {
+  TEST_CASE("the coil spring of a wire from a list and an integer number of coils") {
     const std::vector<double> wires{0.207, 0.225, 0.244, 0.263, 0.283, 0.307, 0.331, 0.362, 0.394, 0.4375, 0.5};
     const Formula::Body body = [](const double* x, double* y) {
       const double d = x[0], N = x[1], D = x[2], C = D / d, F = 1000.0, G = 11.5e6;

@@ -44,7 +44,7 @@ TEST_SUITE("goal seek") {
     CHECK(found.value == doctest::Approx(60e6).epsilon(1e-14));
   }
 
-  TEST_CASE("all roots of a wave are told, in order") {
+  TEST_CASE("all roots of a wave are reported, in order") {
     const Sought found = seek_one([](double x) { return std::sin(x); }, 0.5, 20.0, 0.25);
     const double first = std::asin(0.25);
     REQUIRE(found.meetings.size() == 6);
@@ -71,7 +71,7 @@ TEST_SUITE("goal seek") {
     CHECK(twice.meetings[1].at == doctest::Approx(0.7322).epsilon(1e-11));
   }
 
-  TEST_CASE("a miss is told with the nearest value") {
+  TEST_CASE("a miss is reported with the nearest value") {
     const Sought found = seek_one([](double x) { return 2.0 + (x - 1.0) * (x - 1.0); }, 0.0, 4.0, 1.5);
     CHECK(found.meetings.empty());
     CHECK(found.nearest == doctest::Approx(1.0).epsilon(1e-6));
@@ -84,7 +84,7 @@ TEST_SUITE("goal seek") {
     CHECK(std::isnan(never.nearest));
   }
 
-  TEST_CASE("a pole and a step are leaps, no roots") {
+  TEST_CASE("a pole and a step are jumps, not roots") {
     const Sought pole = seek_one([](double x) { return 1.0 / (x - 0.3); }, -1.0, 1.0, 0.0);
     REQUIRE(pole.meetings.size() == 1);
     CHECK(pole.meetings[0].kind == Kind::leap);
@@ -94,7 +94,7 @@ TEST_SUITE("goal seek") {
     CHECK(step.meetings[0].kind == Kind::leap);
   }
 
-  TEST_CASE("a stretch at the target is one meeting, the ends of the range count") {
+  TEST_CASE("a segment at the target is one solution, the ends of the range count") {
     const Sought flat = seek_one([](double x) { return x < 1.0 ? x : x > 2.0 ? x - 1.0 : 1.0; }, 0.0, 4.0, 1.0);
     REQUIRE(flat.meetings.size() == 1);
     CHECK(flat.meetings[0].kind == Kind::stretch);
@@ -106,7 +106,7 @@ TEST_SUITE("goal seek") {
     CHECK(ends.meetings[1].at == 4.0);
   }
 
-  TEST_CASE("a root beside what is not available is found") {
+  TEST_CASE("a root next to missing values is found") {
     // below 1.0003 there is nothing, the root is at 1.001, the next point of the range at 1.0078
     const Sought found = seek_one([](double x) { return x < 1.0003 ? none : std::log(x / 1.001); }, 0.0, 2.0, 0.0);
     REQUIRE(found.meetings.size() == 1);

@@ -77,7 +77,7 @@ bool same(const Optimum& a, const Optimum& b) {
 }  // namespace
 
 TEST_SUITE("search for the best design") {
-  TEST_CASE("a tube of the stock is the one of two loops, gone through or searched") {
+  TEST_CASE("a tube of the stock is the one of two loops, enumerated or searched") {
     Formula function(2, 4, strut);
     for (const auto& constraints :
          {std::vector<Constraint>{{1, at_most_one}, {2, at_most_one}, {3, is_one}}, {{3, is_one}}}) {
@@ -90,7 +90,7 @@ TEST_SUITE("search for the best design") {
     }
   }
 
-  TEST_CASE("each neighbour in the stock is named with what it breaks") {
+  TEST_CASE("each neighbour in the stock is named with the constraint it violates") {
     Formula function(2, 4, strut);
     const Problem problem{
         function, {stock(diameters), stock(walls)}, 0, false, {{1, at_most_one}, {2, at_most_one}, {3, is_one}}};
@@ -137,7 +137,7 @@ TEST_SUITE("search for the best design") {
   }
 
   // min x + y outside of a circle of which only a flag tells: at x = y = sqrt(1/2).
-  TEST_CASE("a flag alone bounds the search too") {
+  TEST_CASE("a flag alone limits the search, too") {
     Formula circle(2, 2, [](const double* x, double* y) {
       y[0] = x[0] + 2.0 * x[1];
       y[1] = std::hypot(x[0] - 3.0, x[1] - 3.0) <= 1.0 ? 1.0 : 0.0;
@@ -148,7 +148,7 @@ TEST_SUITE("search for the best design") {
     CHECK(found.outputs[0] == doctest::Approx(9.0 - std::sqrt(5.0)).epsilon(1e-4));
   }
 
-  TEST_CASE("a kink in the objective and one in a constraint are met") {
+  TEST_CASE("a kink in the objective and one in a constraint are reached") {
     // max(|x - 1|, |y - 2|) + x/10 with u = max(x, y): the corner where |x - 1| = |y - 2|, y = 1
     Formula kinked(2, 2, [](const double* x, double* y) {
       y[0] = std::max(std::abs(x[0] - 1.0), std::abs(x[1] - 2.0)) + x[0] / 10.0;
@@ -176,7 +176,7 @@ TEST_SUITE("search for the best design") {
     CHECK(found.point[1] == doctest::Approx(1.3).epsilon(1e-6));
   }
 
-  TEST_CASE("words have each other for neighbours") {
+  TEST_CASE("words are neighbours of each other") {
     // material, diameter: price; the third word is the best, and no step of one leads to it over the second
     const std::vector<double> strength{235, 100, 900, 300}, price{1.0, 3.0, 2.0, 1.5};
     Formula shaft(2, 2, [&](const double* x, double* y) {
@@ -193,7 +193,7 @@ TEST_SUITE("search for the best design") {
                         [](const Neighbour& next) { return next.variable == 0; }) == 3);
   }
 
-  TEST_CASE("where nothing is allowed the point that breaks least is told, with its worst constraint") {
+  TEST_CASE("without a feasible point the point with the smallest violation is reported, with its worst constraint") {
     Formula narrow(2, 3, [](const double* x, double* y) {
       y[0] = x[0] + x[1];
       y[1] = 2.0 + (x[0] - 0.25) * (x[0] - 0.25);
@@ -208,7 +208,7 @@ TEST_SUITE("search for the best design") {
     for (const Neighbour& next : found.neighbours) CHECK(next.outcome == Outcome::breaks);
   }
 
-  TEST_CASE("what is not available is never allowed, and lies behind everything else") {
+  TEST_CASE("points that are not available are never feasible, and rank after everything else") {
     Formula holed(1, 2, [](const double* x, double* y) {
       y[0] = x[0] < 2.0 ? none : x[0];
       y[1] = x[0] < 3.0 ? none : 0.5;
@@ -240,7 +240,7 @@ TEST_SUITE("search for the best design") {
     CHECK(same(first, second));
   }
 
-  TEST_CASE("the budget ends the search, and is told") {
+  TEST_CASE("the budget ends the search, and this is reported") {
     Formula function(2, 4, strut);
     const Problem problem{function, {stock(diameters), range(1, 12)}, 0, false, {{1, at_most_one}, {2, at_most_one}}};
     for (const std::uint64_t budget : {0, 1, 10, 1000}) {
@@ -254,7 +254,7 @@ TEST_SUITE("search for the best design") {
     }
   }
 
-  TEST_CASE("the size of numbers changes nothing") {
+  TEST_CASE("the scale of numbers changes nothing") {
     for (const double unit : {1e-9, 1.0, 1e12}) {
       for (const double size : {1e-12, 1.0, 1e9}) {
         Formula rod(2, 2, [&](const double* x, double* y) {
@@ -291,7 +291,7 @@ TEST_SUITE("search for the best design") {
     CHECK(only.neighbours.empty());
   }
 
-  TEST_CASE("an error of the function comes through") {
+  TEST_CASE("an error of the function is passed on") {
     Formula angry(2, 1, [](const double* x, double* y) {
       if (x[0] > 0.74 && x[0] < 0.76) throw std::runtime_error("stopped");
       y[0] = (x[0] - 0.75) * (x[0] - 0.75) + x[1];

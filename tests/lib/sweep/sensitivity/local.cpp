@@ -25,7 +25,7 @@ Slope slope_of(double (*f)(double), double x, double step = 0.0) {
 }  // namespace
 
 TEST_SUITE("sensitivities at a point") {
-  TEST_CASE("the tornado of a linear function is that of the hand") {
+  TEST_CASE("the tornado of a linear function is that calculated by hand") {
     Formula line(3, 2, [](const double* x, double* y) {
       y[0] = 2.0 * x[0] - 3.0 * x[1] + 0.5 * x[2];
       y[1] = x[1] * x[1];
@@ -48,7 +48,7 @@ TEST_SUITE("sensitivities at a point") {
     CHECK(line.points == 7);
   }
 
-  TEST_CASE("what is not available stands first in a tornado") {
+  TEST_CASE("missing values come first in a tornado") {
     Formula root(2, 1, [](const double* x, double* y) { y[0] = 100.0 * x[0] + std::sqrt(x[1]); });
     const auto all = tornado(root, {1, 1}, {0, -1}, {2, 3});
     CHECK(all[0].bars[0].input == 1);
@@ -56,7 +56,7 @@ TEST_SUITE("sensitivities at a point") {
     CHECK(all[0].bars[1].swing == 200.0);
   }
 
-  TEST_CASE("slopes of smooth functions are right to more digits than the estimate says") {
+  TEST_CASE("slopes of smooth functions have more correct digits than the estimate states") {
     const auto check = [](const Slope& slope, double closed) {
       CHECK(slope.kind == Kind::smooth);
       CHECK(slope.value == doctest::Approx(closed).epsilon(1e-9));
@@ -70,7 +70,7 @@ TEST_SUITE("sensitivities at a point") {
     check(slope_of([](double x) { return -7.0 * x; }, 1e-9), -7.0);
   }
 
-  TEST_CASE("a power has its exponent for elasticity, a constant none") {
+  TEST_CASE("a power has its exponent as elasticity, a constant none") {
     Formula power(2, 2, [](const double* x, double* y) {
       y[0] = 5.0 * std::pow(x[0], 3) / std::sqrt(x[1]);
       y[1] = 8.0;
@@ -83,7 +83,7 @@ TEST_SUITE("sensitivities at a point") {
     CHECK(power.points == 41);
   }
 
-  TEST_CASE("a kink is told, with the slope of each side") {
+  TEST_CASE("a kink is reported, with the slope of each side") {
     const Slope kink = slope_of([](double x) { return std::max(2.0 * x, x * x); }, 2.0);
     CHECK(kink.kind == Kind::kink);
     CHECK(kink.below == doctest::Approx(2.0).epsilon(1e-9));
@@ -97,7 +97,7 @@ TEST_SUITE("sensitivities at a point") {
     CHECK(beside.value == doctest::Approx(2.0).epsilon(1e-9));
   }
 
-  TEST_CASE("where one side is not available the other serves") {
+  TEST_CASE("where one side is not available the other is used") {
     const Slope edge = slope_of([](double x) { return x < 1.0 ? none : x * x * x; }, 1.0);
     CHECK(edge.kind == Kind::above);
     CHECK(edge.value == doctest::Approx(3.0).epsilon(1e-8));
@@ -111,14 +111,14 @@ TEST_SUITE("sensitivities at a point") {
     CHECK(near.value == doctest::Approx(3.0).epsilon(1e-8));
   }
 
-  TEST_CASE("a leap and noise do not settle") {
+  TEST_CASE("a jump and noise do not converge") {
     CHECK(slope_of([](double x) { return x < 1.0 ? 0.0 : 1.0; }, 1.0).kind == Kind::unsettled);
     CHECK(slope_of([](double x) { return std::sqrt(std::abs(x)); }, 0.0).kind == Kind::unsettled);
     CHECK(slope_of([](double x) { return std::sin(1e9 * x); }, 1.0).kind == Kind::unsettled);
     CHECK(slope_of([](double x) { return x + 0.01 * std::sin(1e7 * x); }, 1.0).kind == Kind::unsettled);
   }
 
-  TEST_CASE("the budget of a linear function is that of the hand") {
+  TEST_CASE("the budget of a linear function is that calculated by hand") {
     Formula line(3, 1, [](const double* x, double* y) { y[0] = 2.0 * x[0] - 3.0 * x[1] + 0.5 * x[2] + 10.0; });
     const Slopes at = slopes(line, {1, 2, 3});
     const std::vector<double> sd{1.0, 1.0, 4.0};
@@ -144,7 +144,7 @@ TEST_SUITE("sensitivities at a point") {
     CHECK(budget.lines[1].variance == doctest::Approx(9.0 + 1.0 - 3.0).epsilon(1e-10));  // halving it helps nothing
   }
 
-  TEST_CASE("a budget says where it is not certain or not available") {
+  TEST_CASE("a budget states where it is uncertain or not available") {
     Formula both(2, 2, [](const double* x, double* y) {
       y[0] = std::abs(x[0]) + x[1];
       y[1] = std::sqrt(-1.0 - x[0] * x[0]) + x[1];

@@ -35,7 +35,7 @@ std::vector<double> values_at(Robust& robust, const std::vector<double>& point) 
 }  // namespace
 
 TEST_SUITE("robust design") {
-  TEST_CASE("statistics over 0 to 10 on top of a design variable are those of the hand") {
+  TEST_CASE("statistics over 0 to 10 on top of a design variable are those calculated by hand") {
     Formula line(2, 2, [](const double* x, double* y) { y[0] = x[0], y[1] = x[0] + x[1]; });
     Robust robust(
         line, 1, {{0, 0, false}, {{}, 0, false}}, 1, counting, 11,
@@ -47,7 +47,7 @@ TEST_SUITE("robust design") {
     CHECK(values[3] == 110.0);
   }
 
-  TEST_CASE("scatter may be relative, and shares that fail stand against what is allowed") {
+  TEST_CASE("scatter may be relative, and failing shares are compared with the allowable share") {
     Formula line(1, 2, [](const double* x, double* y) {
       y[0] = x[0] / 30.0;
       y[1] = x[0] > 45.0 ? std::numeric_limits<double>::quiet_NaN() : x[0] <= 20.0 ? 1.0 : 0.0;
@@ -75,7 +75,7 @@ TEST_SUITE("robust design") {
 
   // f = d^2 + 4 (s / d)^2 with s uniform in +-1: its p-quantile is d^2 + 4 q / d^2, q the quantile of s^2 = p^2; least
   // at d = (4 q)^(1/4), where it is 4 sqrt(q) = 4 p.
-  TEST_CASE("the least quantile is at the closed place, and elsewhere than without scatter") {
+  TEST_CASE("the minimum quantile is at the position of the closed form, and elsewhere than without scatter") {
     Formula spread(2, 1, [](const double* x, double* y) { y[0] = x[0] * x[0] + 4.0 * x[1] * x[1] / (x[0] * x[0]); });
     constexpr double p = 0.95;
     Robust robust(spread, 1, {{0, {}, false}, {{}, 0, false}}, 1, uniform_samples(11, -1.0, 1.0), 4000,
@@ -91,7 +91,7 @@ TEST_SUITE("robust design") {
   }
 
   // A bar of diameter d from the stock with d +- 0.5 mm uniform and a load: the share that fails is closed.
-  TEST_CASE("the smallest stock size of which enough pass") {
+  TEST_CASE("the smallest stock size of which enough samples pass") {
     Formula bar(1, 2, [](const double* x, double* y) { y[0] = x[0], y[1] = 400.0 / (x[0] * x[0]); });
     Robust robust(bar, 1, {{0, 0, false}}, 1, uniform_samples(5, -0.5, 0.5), 2000,
                   {{0, Kind::mean, 0.0}, {1, Kind::above_one, 0.12}});

@@ -41,7 +41,7 @@ void check(const SobolIndex& index, const Shares& closed) {
 }  // namespace
 
 TEST_SUITE("Sobol indices") {
-  TEST_CASE("those of Ishigami's function are the closed ones") {
+  TEST_CASE("those of Ishigami's function are the closed-form ones") {
     Formula function(3, 1, ishigami);
     const std::uint64_t rows = 20'000;
     const auto found = sobol_indices(function, uniform_samples(1, -pi, pi), rows);
@@ -61,7 +61,7 @@ TEST_SUITE("Sobol indices") {
   }
 
   // Saltelli and Sobol 1995: V_i = 1 / (3 (1 + a_i)^2) of each factor, which multiply.
-  TEST_CASE("those of the g-function are the closed ones") {
+  TEST_CASE("those of the g-function are the closed-form ones") {
     constexpr std::array a{0.0, 1.0, 4.5, 9.0, 99.0, 99.0};
     Formula function(6, 2, [&](const double* x, double* y) {
       y[0] = 1.0;
@@ -81,7 +81,7 @@ TEST_SUITE("Sobol indices") {
     CHECK(found[1].variance == doctest::Approx(4.0 / 12.0).epsilon(0.02));
   }
 
-  TEST_CASE("the stated intervals hold the closed values in 95 of 100 runs") {
+  TEST_CASE("the stated intervals contain the closed-form values in 95 of 100 runs") {
     const auto closed = shares_of_ishigami();
     int held_first = 0, held_total = 0;
     constexpr int runs = 400;
@@ -101,7 +101,7 @@ TEST_SUITE("Sobol indices") {
     }
   }
 
-  TEST_CASE("blocks made anywhere and merged in their order have the same bits") {
+  TEST_CASE("blocks computed anywhere and merged in their order have the same bits") {
     Formula function(3, 1, ishigami);
     const auto sampler = uniform_samples(3, -pi, pi);
     const std::uint64_t rows = 1000;
@@ -132,7 +132,7 @@ TEST_SUITE("Sobol indices") {
       CHECK(b[0].inputs[i].first == doctest::Approx(a[0].inputs[i].first).epsilon(1e-6));
   }
 
-  TEST_CASE("rows that are not available are left out and counted; what does not scatter has no indices") {
+  TEST_CASE("rows that are not available are left out and counted; constant outputs have no indices") {
     Formula function(2, 2, [](const double* x, double* y) {
       y[0] = x[0] > 0.9 ? std::numeric_limits<double>::quiet_NaN() : x[0] + x[1];
       y[1] = 4.0;

@@ -83,7 +83,7 @@ TEST_SUITE("statistics of sweeps: Monte Carlo") {
     CHECK(together.correlation(1, 2) == doctest::Approx(-9.0 / (3.0 * sd)).epsilon(0.01));
   }
 
-  TEST_CASE("bounds of a quantile hold as often as they say") {
+  TEST_CASE("bounds of a quantile contain it as often as stated") {
     int held = 0;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
       const Interval bounds = sampled(Sampling::random, 200, seed).y.ranks().quantile_bounds(0.9, 0.95);
@@ -92,7 +92,7 @@ TEST_SUITE("statistics of sweeps: Monte Carlo") {
     CHECK(held >= 366);  // of 400 at 95 %: fewer with a probability of 0.1 %
   }
 
-  TEST_CASE("a Latin hypercube comes nearer to the mean than plain samples") {
+  TEST_CASE("a Latin hypercube is closer to the mean than plain samples") {
     double plain = 0.0, latin = 0.0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       plain += std::abs(sampled(Sampling::random, 1000, seed).y.moments().mean() - mean);

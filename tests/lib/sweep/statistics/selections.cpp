@@ -88,7 +88,7 @@ TEST_SUITE("statistics of sweeps: selections") {
     }
   }
 
-  TEST_CASE("the Pareto set does not hang on who found which of its points") {
+  TEST_CASE("the Pareto set does not depend on which block found which of its points") {
     for (const unsigned bits : {52U, 4U, 0U}) {
       const std::vector<Aim> aims{Aim::min, Aim::max, Aim::min};
       Columns objectives{column(3000, 1), column(3000, 2), column(3000, 3)};
@@ -127,14 +127,14 @@ TEST_SUITE("statistics of sweeps: selections") {
     CHECK(pareto_of({{1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}}, {Aim::min, Aim::max}).points().front().equals == 3);
   }
 
-  TEST_CASE("points without an objective are passed over") {
+  TEST_CASE("points without an objective are skipped") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const Pareto found = pareto_of({{nan, 1.0, -infinity}, {0.0, 5.0, 0.0}}, {Aim::min, Aim::min});
     REQUIRE(found.size() == 1);
     CHECK(found.points()[0].index == 1);
   }
 
-  TEST_CASE("the worst points are those of sorting, whoever finds them") {
+  TEST_CASE("the worst points are those of sorting, whichever block finds them") {
     const auto values = column(5000, 5), ties = whole_numbers(1, 5000, 20, 6)[0];
     for (const auto& keys : {values, ties}) {
       std::vector<std::pair<double, std::uint64_t>> order;  // the largest key first, then the smallest index
@@ -169,7 +169,7 @@ TEST_SUITE("statistics of sweeps: selections") {
     }
   }
 
-  TEST_CASE("no worst points are kept where none are asked for, and all where there are fewer") {
+  TEST_CASE("no worst points are kept where none are requested, and all where there are fewer") {
     Worst none(0), all(9);
     const std::vector<double> keys{3.0, 1.0};
     const auto nothing = [](std::size_t) { return std::vector<double>{}; };

@@ -80,7 +80,7 @@ TEST_SUITE("statistics of sweeps") {
     CHECK(found.kurtosis() == doctest::Approx(356.0 / 8.0 / 16.0 - 3.0).epsilon(1e-15));  // m4 = 356/8
   }
 
-  TEST_CASE("moments of a constant are exact, of one value and of none not there") {
+  TEST_CASE("moments of a constant are exact, of one value and of none not available") {
     const Summary all = summary_of(std::vector<double>(1000, 0.1));
     CHECK(all.moments().mean() == 0.1);
     CHECK(all.moments().variance() == 0.0);
@@ -96,7 +96,7 @@ TEST_SUITE("statistics of sweeps") {
     CHECK(none.ranks().histogram(5).counts.empty());
   }
 
-  TEST_CASE("a large mean takes nothing from a small scatter") {
+  TEST_CASE("a large mean does not affect a small scatter") {
     std::vector<double> values;
     for (int i = 0; i < 1001; ++i) values.push_back(1e9 + 0.001 * (i % 7 - 3));
     CHECK(summary_of(values).moments().sd() == doctest::Approx(0.002).epsilon(1e-3));
@@ -125,7 +125,7 @@ TEST_SUITE("statistics of sweeps") {
     }
   }
 
-  TEST_CASE("blocks that come backwards give the same bytes, and few parts are kept of those that follow one another") {
+  TEST_CASE("blocks in reverse order give the same bytes, and of consecutive ones few parts are kept") {
     const auto values = column(20'000, 3);
     Summary backwards;
     for (std::size_t block = blocks_of(values); block-- > 0;) add_block(backwards, values, block);
@@ -136,7 +136,7 @@ TEST_SUITE("statistics of sweeps") {
     CHECK(forest.parts() <= 20);
   }
 
-  TEST_CASE("a block that is there already is not taken again") {
+  TEST_CASE("a block that is already there is not added again") {
     const auto values = column(1000, 4);
     Summary all = summary_of(values);
     const std::string before = bytes_of(all);
@@ -149,7 +149,7 @@ TEST_SUITE("statistics of sweeps") {
     CHECK(!one.merge(all));
   }
 
-  TEST_CASE("what is stored is read again to the bit, and what is cut short is told") {
+  TEST_CASE("stored data are read back to the bit, and truncated data are reported") {
     const Summary all = summary_of(column(5000, 5));
     const std::string bytes = bytes_of(all);
     Summary again;
@@ -194,7 +194,7 @@ TEST_SUITE("statistics of sweeps") {
     CHECK(summary_of({-0.0, 0.0, 5e-324}).ranks().quantile(0.5) == 0.0);
   }
 
-  TEST_CASE("shares are bounded as Clopper and Pearson have it") {
+  TEST_CASE("shares are bounded by Clopper and Pearson") {
     const Interval half = Share{5, 10, 0}.bounds(0.95), one = Share{1, 10, 0}.bounds(0.95);
     CHECK(half.low == doctest::Approx(0.1871).epsilon(1e-3));  // the tables' values for 5 and for 1 of 10
     CHECK(half.high == doctest::Approx(0.8129).epsilon(1e-3));
@@ -248,7 +248,7 @@ TEST_SUITE("statistics of sweeps") {
     CHECK(summary_of({4.0, 4.0}).ranks().histogram(2).counts == std::vector<std::uint64_t>{0, 2});
   }
 
-  TEST_CASE("covariances are those of their definition, of complete points") {
+  TEST_CASE("covariances are those of their definition, for complete points") {
     auto a = column(5000, 8), b = column(5000, 9);
     for (std::size_t i = 0; i < a.size(); ++i) b[i] += 0.5 * a[i];
     const double* const columns[] = {a.data(), b.data()};

@@ -19,14 +19,14 @@ account::Origin origin(const project::Project& project, const std::string& path)
 }  // namespace
 
 TEST_SUITE("project providers") {
-  TEST_CASE("a material fills what is missing, and the account cites its row") {
+  TEST_CASE("a material fills in missing values, and the account cites its row") {
     const auto project = solved(axle + "T = \"300 N*m\"\nS = 2\nmaterial = \"C45E\"\n");
     CHECK(value(project, "axle.R_e") == doctest::Approx(430e6));
     CHECK(origin(project, "R_e").text.text() == "C45E");
     CHECK_FALSE(origin(project, "R_e").sources.empty());
   }
 
-  TEST_CASE("what is typed wins over the row") {
+  TEST_CASE("a typed value overrides the row") {
     const auto project = solved(axle + "T = \"90 N*m\"\nS = 2\nmaterial = \"C45E\"\nR_e = \"300 MPa\"\n");
     CHECK(value(project, "axle.R_e") == doctest::Approx(300e6));
     CHECK(origin(project, "R_e").text.text() == "given");
@@ -49,7 +49,7 @@ TEST_SUITE("project providers") {
     CHECK(project::verdicts(searched)[0].note.text().find("nearest is 100 mm") != std::string::npos);
   }
 
-  TEST_CASE("a material that does not exist is told with the nearest one, once") {
+  TEST_CASE("a material that does not exist is reported with the nearest one, once") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = \"C54E\"\n") ==
           R"(a.toml:5:13: error: no material 'C54E' in the tables
 5 | material = "C54E"
@@ -58,7 +58,7 @@ TEST_SUITE("project providers") {
 )");
   }
 
-  TEST_CASE("a material that has no such strength says so") {
+  TEST_CASE("a material without such a strength is reported") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = \"EN-GJL-150\"\n") ==
           R"(a.toml:5:13: error: the material 'EN-GJL-150' has no yield strength R_e
 5 | material = "EN-GJL-150"
@@ -68,7 +68,7 @@ TEST_SUITE("project providers") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nmaterial = \"EN-GJL-150\"\n").empty());
   }
 
-  TEST_CASE("a material that is no text is told in words") {
+  TEST_CASE("a material that is not a text is described in words") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = 3\n") ==
           R"(a.toml:5:12: error: 'axle.material' takes a text, not a number
 5 | material = 3
@@ -76,7 +76,7 @@ TEST_SUITE("project providers") {
 )");
   }
 
-  TEST_CASE("a calculator that takes nothing from a material says so") {
+  TEST_CASE("a calculator that takes nothing from a material reports so") {
     CHECK(issues_of("[bar]\ncalculator = \"mechanism.planar\"\nmaterial = \"C45E\"\nlinks = { a = { points = { O = "
                     "[\"0 mm\", \"0 mm\"] } } }\n"
                     "ground = { O = [\"0 mm\", \"0 mm\"] }\njoints = { O = { type = \"revolute\", links = [\"ground\", "
@@ -87,7 +87,7 @@ TEST_SUITE("project providers") {
 )");
   }
 
-  TEST_CASE("a value that the row does not have at this size leaves the rest of the step as it is") {
+  TEST_CASE("a value that the row does not have at this size does not affect the rest of the step") {
     const auto project = solved(
         "[cycle]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"180 MPa\"\nsigma_min = \"-60 MPa\"\n"
         "material = \"S235JR\"\n");
@@ -112,7 +112,7 @@ TEST_SUITE("project providers") {
     CHECK(value(solved(part + "d = \"32 mm\"\n"), "part.R_m") == doctest::Approx(650e6));
   }
 
-  TEST_CASE("a whole number is a result like any other") {
+  TEST_CASE("an integer is a result like any other") {
     const auto project = solved(
         "[fan]\ncalculator = \"belt.v_sizing\"\nbasis = \"optibelt\"\nP = \"11 kW\"\nK_A = 1.2\n"
         "n_1 = \"1460 rpm\"\nn_2_set = \"730 rpm\"\na_set = \"600 mm\"\n"

@@ -77,7 +77,7 @@ std::string strip(const std::string& force) {
 }  // namespace
 
 TEST_SUITE("sizes of rows") {
-  TEST_CASE("a size that alternates is told, and nothing is judged with it") {
+  TEST_CASE("a size that alternates is reported, and nothing is assessed with it") {
     std::vector<Issue> issues;
     auto project = project::read_project(strip("\"100 kN\""), "a.toml", with_strip(), issues);
     project::solve(project, issues);
@@ -93,7 +93,7 @@ TEST_SUITE("sizes of rows") {
     CHECK(project::modes(project)[0].note.text() == why);
   }
 
-  TEST_CASE("a point of a sweep whose size alternates is not available, as the machine alone") {
+  TEST_CASE("a point of a sweep whose size alternates is not available, like the single machine") {
     const Swept swept(strip("[\"5 kN\", \"100 kN\", \"200 kN\"]"), {"w = strip.w"}, 1, {}, with_strip());
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
     const std::vector<double>& width = swept.column("w");
@@ -104,7 +104,7 @@ TEST_SUITE("sizes of rows") {
     CHECK(swept.column("state")[1] == static_cast<double>(account::State::not_available));
   }
 
-  TEST_CASE("a least size that alternates excludes no size of the stock") {
+  TEST_CASE("a minimum size that alternates excludes no size of the stock") {
     const auto project = solved(plate + axle + "material = \"plate\"\nT = \"1500 N*m\"\nS = 1.5\n");
     CHECK(value(project, "axle.d") == doctest::Approx(0.0425));
   }

@@ -165,7 +165,7 @@ TEST_SUITE("searches by brute force" * takes_share) {
 }
 
 TEST_SUITE("searches without a result") {
-  TEST_CASE("the nearest candidate and what it fails are named, and nothing downstream is computed") {
+  TEST_CASE("the nearest candidate and its failure are named, and nothing downstream is computed") {
     for (const Sized& sized : all_sized) {
       CAPTURE(sized.calculator);
       CAPTURE(sized.key);
@@ -188,7 +188,7 @@ TEST_SUITE("searches without a result") {
     }
   }
 
-  TEST_CASE("of bearings that carry no axial load none is taken, whatever their size") {
+  TEST_CASE("of bearings without axial capacity none is taken, whatever their size") {
     const Sized sized{"bearing.rolling", "bearing", "bearing/NU2", of_bearing, "F_r", "kN", {}};
     const Solved solved(with_lines(find_calculator(calculators(), sized.calculator)->example,
                                    lines_of(sized, 2.5, asked(sized)) + "F_a = \"1 kN\"\nholds = \"both\"\n"));
@@ -199,7 +199,7 @@ TEST_SUITE("searches without a result") {
 }
 
 TEST_SUITE("missing inputs of searches") {
-  TEST_CASE("all that is missing next to what is searched for is named at once") {
+  TEST_CASE("all missing input next to the searched value is named at once") {
     for (const Sized& sized : all_sized) {
       const std::string lines = lines_of(sized, sized.values.back(), asked(sized));
       const Solved bare("[part]\ncalculator = \"" + sized.calculator + "\"\n" + sized.key + " = " + asked(sized) +

@@ -10,7 +10,7 @@ using namespace loadpath;
 using namespace loadpath::test;
 
 TEST_SUITE("reasons of searches") {
-  TEST_CASE("a shoulder that is too low for every bearing is shown with the one that is needed") {
+  TEST_CASE("a shoulder that is too low for every bearing is shown with the required one") {
     const Solved solved(R"([b]
 calculator = "bearing.rolling"
 bearing = { stock = "bearing/63" }
@@ -27,7 +27,7 @@ d_f = "47 mm"
     CHECK_MESSAGE(contains(reason, "least diameter / diameter of the shoulder: d_a = 49 mm, d_f = 47 mm"), reason);
   }
 
-  TEST_CASE("torques of a connection that are too low say where they are given") {
+  TEST_CASE("torques of a connection that are too low are reported with their place") {
     for (const ModeInfo& mode : find_calculator(calculators(), "shaft.design")->modes) {
       if (std::string(mode.id) == "connection") CHECK(contains(mode.advice, "give T_max in the step of the key"));
     }

@@ -18,7 +18,7 @@ std::string with_reasons(const std::string& text) {
   return std::regex_replace(text, reason, "--$1 $2=$3");
 }
 
-/// Inline tables stand in single quotes on the shell, and have keys of their own.
+/// Inline tables are in single quotes on the shell, and have keys of their own.
 std::string with_values(const std::string& text) {
   static const std::regex value(R"re((^|[ (])([A-Za-z]\w*) = ("[^"]*"))re"),
       outside(R"re((^|\(|[^{,] )([A-Za-z]\w*) = ("[^"]*"))re"),

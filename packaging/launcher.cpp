@@ -1,4 +1,4 @@
-// Starts the program of the portable archive by the loader and with the libraries that lie beside it, whatever the
+// Starts the program of the portable archive by the loader and with the libraries next to it, whatever the
 // system has. Linked statically: it needs nothing.
 #include <climits>
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # From a fresh Debian 12 to a report: installs what is missing, builds the program, runs the slotted-lever project. Where a
-# portable archive of this version lies beside the sources, or in build/release/packages, that is taken and nothing is built.
+# portable archive of this version is next to the sources or in build/release/packages, it is used and nothing is built.
 # Usage: sh scripts/quickstart.sh [--replace]
 set -eu
 cd "$(dirname "$0")/.."

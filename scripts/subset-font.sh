@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes lib/report/assets/fonts/loadpath-math.woff2 from STIX Math 1.1.1: what formulas need, with the MATH table, renamed as
-# the licence of a font with reserved names asks for. Needs fonts-stix, python3-fonttools and python3-brotli.
+# the licence of a font with reserved names requires. Needs fonts-stix, python3-fonttools and python3-brotli.
 set -eu
 source_font=${1:-/usr/share/fonts/opentype/stix-word/STIXMath-Regular.otf}
 target=$(cd "$(dirname "$0")/.." && pwd)/lib/report/assets/fonts/loadpath-math.woff2

@@ -79,7 +79,7 @@ sweep_example() {
   on "$variant" "$program" sweep "$file" "$@" --json >"$name.json" 2>/dev/null || :
 }
 
-# solve VARIANT PROGRAM: everything that is compared, into a folder; the names in it do not tell the variant.
+# solve VARIANT PROGRAM: everything that is compared, into a folder; the names in it do not contain the variant.
 solve() (
   mkdir "$work/$1" && cd "$work/$1"
   for file in "$sources"/examples/*/project.toml "$sources"/reference/*.toml "$sources"/reference/init/*.toml; do

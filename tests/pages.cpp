@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Where lines stand one after the other, from a place on; the end where they do not.
+/// The place of consecutive lines, searched from `from` on; the end where there are none.
 std::size_t place_of(const std::vector<std::string>& some, const std::vector<std::string>& all, std::size_t from) {
   const auto begin = all.begin() + static_cast<std::ptrdiff_t>(std::min(from, all.size()));
   return static_cast<std::size_t>(std::search(begin, all.end(), some.begin(), some.end()) - all.begin());

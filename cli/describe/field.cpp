@@ -67,7 +67,7 @@ std::string short_bounds(const FieldInfo& field) {
   return rule.starts_with(must) ? rule.substr(must.size()) : rule;
 }
 
-/// What fills an input that nobody types.
+/// What fills an input that is not typed.
 std::string filled_by(const FieldInfo& field) {
   const Provider& from = field.provider;
   if (from.kind == Provider::Kind::companion) return std::string("the source of ") + from.column;

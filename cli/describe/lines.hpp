@@ -19,7 +19,7 @@ std::size_t length_of(std::string_view text);
 /// A text behind a label, its further lines indented as far.
 Lines labelled(const std::string& label, const std::string& text);
 
-/// Items behind a label, as many as fit into the lines, then how many more there are; `where` tells those.
+/// Items behind a label, as many as fit into the lines, then how many more there are; `where` names their place.
 Lines listed(const std::string& label, const std::vector<std::string>& items, const std::string& separator,
              std::size_t most, const std::string& where);
 

@@ -57,7 +57,7 @@ std::string shown_meaning(const FieldInfo& field) {
 /// What the inputs of a calculator are to the user.
 struct Inputs {
   std::vector<Shown> required, sized, usual;
-  Words rules;  // that ask for one of several inputs
+  Words rules;  // that require one of several inputs
   Words more;   // keys of the others
 };
 
@@ -157,7 +157,7 @@ Lines named_lines(const std::string& label, const Inputs& inputs, const Words& r
   return lines.size() <= most ? lines : listed(label, rest, ", ", 2, "");
 }
 
-/// Required inputs, and the rules that ask for one of several, while there is room.
+/// Required inputs, and the rules that require one of several, while there is room.
 Lines required_lines(const Inputs& inputs, const Room& room) {
   const std::size_t most = room.required;
   Words rest;
@@ -166,7 +166,7 @@ Lines required_lines(const Inputs& inputs, const Room& room) {
   std::size_t left = most > inputs.required.size() + 2 ? most - inputs.required.size() : 2;
   for (const std::string& rule : inputs.rules) {
     const Lines text = labelled(lines.empty() ? "Required" : "", rule);
-    if (text.size() > left) continue;  // --full tells all
+    if (text.size() > left) continue;  // --full shows all
     left -= text.size();
     append(lines, text);
   }

@@ -40,7 +40,7 @@ std::string text_of(const account::Mode& mode) {
   return reason.empty() ? text : text + " (" + reason + ")";
 }
 
-/// Whether an issue has the same text; a step's warning may lack the path in front of it.
+/// Whether an issue has the same text; a step's warning may have no path in front of it.
 bool is_issue(const std::string& warning, const std::vector<Issue>& issues) {
   return std::any_of(issues.begin(), issues.end(),
                      [&](const Issue& issue) { return warning.ends_with(issue.message.text()); });

@@ -24,7 +24,7 @@ class Input {
   std::size_t at_ = 0;
 };
 
-/// Writes a message to standard output; false if nobody reads it.
+/// Writes a message to standard output; false if the reader is gone.
 bool send(std::string_view body);
 
 }  // namespace loadpath::cli::lsp

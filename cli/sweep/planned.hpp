@@ -1,4 +1,4 @@
-// A sweep as the options of `loadpath sweep` ask for it: the project that they change, the points, and what is kept of
+// A sweep as given by the options of `loadpath sweep`: the project that they change, the points, and what is kept of
 // them.
 #pragma once
 

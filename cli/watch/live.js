@@ -8,7 +8,7 @@
     return answer.text();
   };
 
-  // What lies over the page: the issues of a project that cannot be solved, or that nobody answers any more.
+  // Over the page: the issues of a project that cannot be solved, or the notice that the program has ended.
   const look = document.createElement("style");
   look.textContent = `
     #watch { position: fixed; inset: auto 0 0 0; max-height: 60vh; overflow: auto; z-index: 10; margin: 0;

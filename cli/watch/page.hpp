@@ -1,4 +1,4 @@
-// The page in the browser while somebody edits a project.
+// The page in the browser while a project is edited.
 #pragma once
 
 #include <cstdint>

@@ -154,7 +154,7 @@ void slider_crank(benchmark::State& state) { compare<hand_written::SliderCrank>(
 void four_bar(benchmark::State& state) { compare<hand_written::FourBar>(state, models::four_bar()); }
 void six_bar(benchmark::State& state) { compare<hand_written::SixBar>(state, models::six_bar()); }
 
-// Against the hand-written slider-crank, as nobody writes these by hand.
+// Against the hand-written slider-crank, as these are not written by hand.
 void alone(benchmark::State& state, const Model& model) {
   GeneralCycle<GroupSystem> groups(model);
   for (auto _ : state) benchmark::DoNotOptimize(groups());

@@ -78,7 +78,7 @@ void all_schools_with_trace(benchmark::State& state) {
   }
 }
 
-/// With all that solving does beside the search, which alone is the difference to given_sizes.
+/// With all that solving does in addition to the search; the search alone is the difference to given_sizes.
 void solve(benchmark::State& state, bool sought) {
   for (auto _ : state) {
     project::Project project = read(sought);

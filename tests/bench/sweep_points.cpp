@@ -1,4 +1,4 @@
-// Points of a sweep and what is made of their results, beside plain loops with the standard library's generators and
+// Points of a sweep and statistics of their results, against plain loops with the standard library's generators and
 // with sorting.
 #include "lib/sweep/point/probit.hpp"
 #include "lib/sweep/point/space.hpp"
@@ -79,7 +79,7 @@ void normal_quantile(benchmark::State& state) {
       });
 }
 
-/// Mean, standard deviation, ends and quantiles of a column in all, beside keeping it and selecting three quantiles.
+/// Mean, standard deviation, ends and quantiles of a column, against keeping it and selecting three quantiles.
 void summary(benchmark::State& state) {
   PlainPoints plain;
   plain();

@@ -22,7 +22,7 @@ namespace {
 /// The ends at which the browser reads commands and writes answers.
 constexpr int reads_at = 3, writes_at = 4;
 
-/// In the child; nothing comes back from here. Both pipes are moved out of the way first: they may stand at 3 and 4.
+/// In the child; nothing comes back from here. Both pipes are moved out of the way first: they may be at 3 and 4.
 [[noreturn]] void become(const std::vector<std::string>& words, int commands, int answers) {
   const int in = fcntl(commands, F_DUPFD, 10), out = fcntl(answers, F_DUPFD, 10);
   const int nothing = ::open("/dev/null", O_RDWR);

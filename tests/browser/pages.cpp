@@ -9,7 +9,7 @@ using namespace loadpath::test;
 
 namespace {
 
-/// What stands out of its column: of the page where it is wider than the window, of a box that cannot be scrolled.
+/// What overflows its column: of the page where it is wider than the window, of a box that cannot be scrolled.
 const std::string beyond = R"((() => {
   const said = [];
   const width = document.documentElement.clientWidth;
@@ -87,7 +87,7 @@ const std::string small_text = R"((() => {
   return said.slice(0, 3).join("\n");
 })())";
 
-/// Notes beside formulas begin at one place.
+/// Notes next to formulas are left-aligned.
 const std::string ragged = R"((() => {
   const lefts = new Set([...document.querySelectorAll(".step .why")].map((e) => Math.round(e.getBoundingClientRect().left)));
   return lefts.size > 1 ? [...lefts].join(", ") : "";

@@ -131,7 +131,7 @@ TEST_SUITE("cli crashes" * by_case * takes_share) {
       // The moments follow the load of the machine: later where nothing was written yet, earlier where everything was.
       whole = whole * (new_outputs == 0 ? 11 : new_outputs + 1 == ended.size() ? 9 : 10) / 10;
     }
-    CHECK(ended.front() < kills);  // the moments are those of writing: some before the first output stands, some after
+    CHECK(ended.front() < kills);  // the moments are those of writing: some before the first output, some after
     CHECK(ended.back() < kills);
     int status = 0;
     waitpid(start_writing(desk), &status, 0);

@@ -23,7 +23,7 @@ std::string values_without_comment(const std::string& text) {
   return found;
 }
 
-/// The program on a terminal where somebody types these lines.
+/// The program on a terminal where these lines are typed.
 Ran on_terminal(const Desk& desk, const std::vector<std::string>& words, const std::string& typed) {
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);

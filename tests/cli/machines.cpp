@@ -174,7 +174,7 @@ G = 8)";
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
-    // mpirun kills its ranks a second after the signal, on a loaded machine before they have told what is missing.
+    // mpirun kills its ranks a second after the signal, on a loaded machine before they have reported what is missing.
     const Ran ran = shell(
         desk, "ranks 3 sweep a.toml --samples 100000000 --no-columns --out by --save-every 0.1 --quiet & at=$!; " +
                   until_solved("by") + "kill -INT $(ps -o ppid= -p $(cat rank.0)); wait $at; code=$?; " + until_left +

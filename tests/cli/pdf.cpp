@@ -62,7 +62,7 @@ int interrupted_with(const Office& office, int signal) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// Whether a process has ended; as a zombie too, where nobody asks for its end.
+/// Whether a process has ended; as a zombie too, where nothing waits for its end.
 bool has_ended(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   const std::string text(std::istreambuf_iterator<char>(file), {});

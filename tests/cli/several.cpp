@@ -21,7 +21,7 @@ crank = { speed = "60 rpm", positions = 12 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Two projects in folders of their own, one beside them, and what is none.
+/// Two projects in folders of their own, one next to them, and a file that is not a project.
 void fill(const Desk& desk) {
   for (const char* folder : {"all", "all/press", "all/axle", "all/.git"})
     std::filesystem::create_directory(desk.folder() / folder);

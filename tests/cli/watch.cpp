@@ -23,7 +23,7 @@ std::string with(const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
 }
 
-/// As many editors save: nobody sees a file that is half written.
+/// As many editors save: a half-written file is never visible.
 void save(const Desk& desk, const std::string& name, const std::string& text) {
   desk.put(name + ".new", text);
   std::filesystem::rename(desk.folder() / (name + ".new"), desk.folder() / name);

@@ -1,4 +1,4 @@
-// Wrong keys and options: the near ones are told with what they mean, on the shell and in a file.
+// Wrong keys and options: the similar ones are reported with their meanings, on the shell and in a file.
 #include "tests/cli/process.hpp"
 
 using namespace loadpath::test;

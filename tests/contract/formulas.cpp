@@ -105,7 +105,7 @@ bool prints_apart(const account::Step& step) {
                      [&](const auto& given) { return names.insert(given.name).second; });
 }
 
-/// The names of a formula that nobody knows: a local that no STEP has made, or of a branch that did not run.
+/// The unknown names of a formula: a local that no STEP has made, or of a branch that did not run.
 std::string unknown_names(const account::Step& step) {
   std::string unknown;
   const auto tree = formula::parse(step.formula);

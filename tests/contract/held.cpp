@@ -77,7 +77,7 @@ std::string value_text(const FieldInfo& field, void* owner, double load_factor) 
     case Type::formula:
       return formula_text(field, field.text(owner), load_factor);
     case Type::group:
-      // a group of which nothing is given is left out: its presence would ask for what it requires
+      // a group of which nothing is given is left out: its presence would require its own inputs
       return has_values(field, owner) ? table_text(field.fields, field.element(owner, 0), load_factor) : "";
     case Type::list:
       return list_text(field, owner, load_factor);

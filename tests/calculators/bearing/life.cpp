@@ -29,7 +29,7 @@ Rolling::Input in_oil(bearing::Kind kind, double kappa) {
 
 double a_ISO(bearing::Kind kind, double kappa) { return solve(in_oil(kind, kappa)).a_ISO; }
 
-/// 30206 beside 30305 D, the pair of [NSK-E1102] example 4.
+/// 30206 with 30305 D, the pair of [NSK-E1102] example 4.
 Rolling::Input of_pair(bool first) {
   Rolling::Input in;
   in.kind = bearing::Kind::tapered_roller;

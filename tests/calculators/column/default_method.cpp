@@ -1,4 +1,4 @@
-// A compressed bar whose method nobody names: what decides follows from what is given.
+// A compressed bar without a named method: the method follows from the inputs.
 #include "calculators/column/lightest/lightest.hpp"
 #include "lib/account/mode.hpp"
 #include "tests/calculators/column/models.hpp"

@@ -21,7 +21,7 @@ double in_MPa(Stress stress) { return in_si(stress) / 1e6; }
 
 constexpr auto rated = test::evaluated<Fkm>;
 
-/// Two examples of trainings and of the guideline's authors, as they stand in the tests of boschresearch/pylife: local
+/// Two examples of trainings and of the guideline's authors, as given in the tests of boschresearch/pylife: local
 /// stresses there, which over K_t are the nominal ones of here.
 In of_training() {
   In in;

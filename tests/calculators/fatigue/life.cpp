@@ -93,7 +93,7 @@ TEST_SUITE("fatigue.life") {
         swung.sigma_a = row.sigma_A;
         for (const auto& other : life(grown).rules) {
           if (other.name.view() == name) CHECK(rel(other.n, 1.0) < 1e-9);
-          // where yielding cuts the line of Goodman off the amplitude does not tell
+          // where yielding limits the Goodman line, the amplitude is a different one
           if (other.name.view() == name && name != "modified-goodman") CHECK(rel(in_si(other.sigma_ar), 190e6) < 1e-9);
         }
         for (const auto& other : life(swung).rules) {

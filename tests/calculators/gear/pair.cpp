@@ -127,7 +127,7 @@ TEST_SUITE("gear pair") {
     const double x = (a * a + r_2 * r_2 - r_1 * r_1) / (2.0 * a), y = std::sqrt(r_2 * r_2 - x * x);
     const auto inv = [](double alpha) { return std::tan(alpha) - alpha; };
     const auto behind = [&](double d_b, double d_a) { return inv(std::acos(d_b / d_a)) - inv(r.alpha_wt); };
-    // From the pitch point a flank's tip stands behind by the difference of its involutes, and goes on to the crossing.
+    // From the pitch point a flank's tip lags by the difference of its involutes, and goes on to the crossing.
     const double wheel = std::atan2(y, x - a) + behind(r.d_b1 / mm, r.d_a1 / mm);
     const double ring = std::atan2(y, x) + behind(r.d_b2 / mm, r.d_a2 / mm);
     const double apart = (wheel * 16.0 / 24.0 - ring) * r_2 / 3.0;

@@ -114,7 +114,7 @@ TEST_SUITE("link member") {
       return mode_with("link.member", plate + lines, "lateral_torsional");
     };
     CHECK(state("M_b = \"467 N*m\"") == "pass");
-    CHECK(state("M_b = \"-469 N*m\"") == "fail");  // a twenty-fifth of what the fibre bears
+    CHECK(state("M_b = \"-469 N*m\"") == "fail");  // a twenty-fifth of what the fibre carries
     CHECK(mode_with("link.member", plate + "M_b = \"469 N*m\"", "yield") == "pass");
     CHECK(state("M_b = \"0 N*m\"") == "none");
     CHECK(state("h = \"5 mm\"\nb = \"200 mm\"") == "none");  // flat it does not

@@ -61,7 +61,7 @@ TEST_SUITE("key figure") {
     REQUIRE(forces.size() == 2);
     CHECK(figure::length(forces[0].force) == doctest::Approx(2.0 * 450.0 / 0.05));
     CHECK(figure::length(forces[0].force + forces[1].force) < 1e-9);
-    CHECK(forces[0].at.y > forces[1].at.y);  // the hub bears above the shaft
+    CHECK(forces[0].at.y > forces[1].at.y);  // the hub presses above the shaft
   }
 
   TEST_CASE("two keys have two keyways") {

@@ -27,7 +27,7 @@ std::size_t width_of(const std::string& text) {
 
 auto lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
-/// The command that stands under "Example"; empty where there is none.
+/// The command under "Example"; empty where there is none.
 std::string command_of(const std::string& shown) {
   const std::string head = "\nExample\n";
   const std::size_t from = shown.find(head), to = shown.find("\nIn a file", std::min(from, shown.size()));

@@ -1,4 +1,4 @@
-// Regression tests of steps beside a mechanism, of steps that nothing takes, and of starts and repetitions.
+// Regression tests of steps next to a mechanism, of steps that nothing takes, and of starts and repetitions.
 #include "tests/found/modes.hpp"
 #include "tests/pages.hpp"
 

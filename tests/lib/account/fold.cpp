@@ -106,7 +106,7 @@ TEST_SUITE("fold") {
     CHECK(judged(passes, 2.0, by).state == number(State::not_judged));
     CHECK(std::isnan(judged(passes, 2.0, by).utilisation));
     by.never = false;
-    by.passed = number(State::not_judged);  // a load lacks its factor
+    by.passed = number(State::not_judged);  // the factor of a load is missing
     CHECK(judged(passes, 2.0, by).state == number(State::not_judged));
     by.passed = number(State::pass);
     by.needs_checks = true;

@@ -26,7 +26,7 @@ Beam beam_of(const Row<Span>& all, const OfSupports<Support>& supports) {
   return *beam;
 }
 
-/// The displacement of a statically determinate beam that stands on its first and last node, by integrating M/EI twice
+/// The displacement of a statically determinate beam supported at its first and last node, by integrating M/EI twice
 /// in small steps: nothing of the elements in it.
 std::vector<double> integrated(const Row<Span>& all, const std::vector<Load>& loads) {
   double length = 0.0, moment = 0.0;

@@ -36,7 +36,7 @@ struct Overhung {
   [[nodiscard]] double by_force() const { return c * c * (a + c) / (3.0 * E_I); }
   [[nodiscard]] double across() const { return c * (2.0 * a + 3.0 * c) / (6.0 * E_I); }
   [[nodiscard]] double by_couple() const { return (a + 3.0 * c) / (3.0 * E_I); }
-  /// The determinant of 1 - flexibility times inertia, which is 0 at a frequency; D: what stands for w^2 I_d.
+  /// The determinant of 1 - flexibility times inertia, which is 0 at a frequency; D: the term in place of w^2 I_d.
   [[nodiscard]] double rest(double w, double D) const {
     const double m = w * w * disc.m;
     return (1.0 - by_force() * m) * (1.0 - by_couple() * D) - across() * across() * m * D;
@@ -80,7 +80,7 @@ TEST_SUITE("whirl") {
       const auto backward = overhung.squares(0.5 + I_p);
       CHECK(whirl.critical(0, Sense::backward) == Approx(std::sqrt(backward.first)).epsilon(1e-10));
       CHECK(whirl.critical(1, Sense::backward) == Approx(std::sqrt(backward.second)).epsilon(1e-10));
-      // A flat disc has no second one forward: it stands up by itself, the faster the more.
+      // A flat disc has no second one forward: it rights itself, the faster the more.
       CHECK(whirl.below(1e9, Sense::forward) == (I_p < 0.5 ? 2 : 1));
       if (I_p < 0.5) {
         CHECK(whirl.critical(1, Sense::forward) ==

@@ -314,7 +314,7 @@ TEST_SUITE("mechanism") {
       Model model;
       const int cam = add_cam(model, between(-3.0, 3.0));
       const double start = model.links[0].pose.phi;
-      // Where the arm stands then, by its own law: the cam's angle counts against its sense.
+      // The position of the arm, by its own law: the cam's angle counts against its direction.
       const double angle = sense == CamSense::clockwise ? -start : start;
       const double swing = path.base_angle() + path.lift.at(angle).s;
       const int arm = add_bar(model, "arm", {pivot, 0.0, pi - side * swing}, length, between(0.1, 1.0));

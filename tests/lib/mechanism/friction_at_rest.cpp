@@ -51,7 +51,7 @@ TEST_SUITE("mechanism") {
       CHECK(effort(model, -1.0) == doctest::Approx(down).epsilon(1e-9));
       CHECK(effort(model, 0.0) == doctest::Approx(weight * std::sin(alpha)).epsilon(1e-12));
       CHECK((effort(model, -1.0) <= 0.0) == (std::tan(alpha) <= mu));
-      // What stands by itself is lifted with less than half of the work: eta = tan(alpha) / (tan(alpha) + mu).
+      // A self-locking block is lifted with an efficiency below one half: eta = tan(alpha) / (tan(alpha) + mu).
       const double efficiency = effort(model, 0.0) / effort(model, 1.0);
       CHECK((efficiency <= 0.5) == (effort(model, -1.0) <= 0.0));
     }

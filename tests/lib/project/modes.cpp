@@ -66,7 +66,7 @@ TEST_SUITE("project modes") {
 
   TEST_CASE("a typed torque may be static, one from gears rotates, and brings their forces") {
     Solved typed(axle + "T = \"100 N*m\"\n"), taken(gears + strength + axle + "T = \"=gears.T_2\"\n");
-    CHECK(account::overall(project::modes(typed.project)) == State::pass);  // beside what is open
+    CHECK(account::overall(project::modes(typed.project)) == State::pass);  // apart from open modes
     CHECK(typed.mode("axle.fatigue").state == State::open);
     CHECK(typed.mode("axle.bending").state == State::open);
     CHECK(taken.mode("axle.fatigue").state == State::not_judged);

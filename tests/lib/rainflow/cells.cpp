@@ -1,4 +1,4 @@
-// Cells and headings of a text with columns, and series that stand along a row.
+// Cells and headings of a text with columns, and series along a row.
 #include "lib/rainflow/series/cells.hpp"
 
 #include "lib/rainflow/series/read_series.hpp"

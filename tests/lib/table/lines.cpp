@@ -25,7 +25,7 @@ bool reads(std::string_view line) {
 Library read(const std::string& text) {
   std::vector<Issue> issues;
   Library library = with_file({}, text, "table.toml", issues);
-  for (const Issue& issue : issues) {  // the citations of the built-in tables stand in a file of their own
+  for (const Issue& issue : issues) {  // the citations of the built-in tables are in a file of their own
     CHECK(issue.message.text().find("unknown source") == 0);
   }
   return library;

@@ -191,7 +191,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
     lift = replaced(lift, "efficiency = 0.9", "efficiency = 0.4, efficiency_back = -0.5");
     const auto worm = solved(lift);
     CHECK(text_of(*cell_of(*table_of(worm, "At rest"), "at rest without its drive")) == "at every position");
-    // It stands everywhere as soon as 1 - efficiency_back, here 1.5, is 1: two thirds of its friction.
+    // It is at rest everywhere as soon as 1 - efficiency_back, here 1.5, is 1: two thirds of its friction.
     const account::Cell* share = cell_of(*table_of(worm, "At rest"), "the same for every position");
     REQUIRE(share != nullptr);
     CHECK(std::get<account::Quantity>(*share).si == doctest::Approx(2.0 / 3.0).epsilon(1e-6));

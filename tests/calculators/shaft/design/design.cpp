@@ -324,7 +324,7 @@ TEST_SUITE("shaft design") {
                    "rotate in opposite directions in two steps"));
     CHECK(Solved(shell + pieces + "n = \"100 rpm\"\nseats = [{ x = \"50 mm\", F_x = \"1 N\" }]\n")
               .mode("axle.critical_bending")
-              .state == State::not_judged);  // nobody knows what sits there
+              .state == State::not_judged);  // it is unknown what sits there
     CHECK(Solved(shell + pieces + "seats = [{ x = \"50 mm\", mass = \"5000 kg\" }]\n").mode("axle.weight").state ==
           State::not_judged);
     CHECK(Solved(shell + "pieces = [{ l = \"200 mm\", d = \"40 mm\", d_bore = \"39 mm\" }]\n" + two_bearings)

@@ -1,4 +1,4 @@
-// Notches of a shaft whose factors are told by DIN 743 or typed: against hand calculation, fatigue.din743, and attacks.
+// Notches of a shaft with factors of DIN 743 or typed: against hand calculation, fatigue.din743, and wrong input.
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"
 

@@ -1,4 +1,4 @@
-// Of random shafts whose diameters are found together: none can be a size smaller beside the others as they are, and
+// Random shafts whose diameters are found together: none can be a size smaller with the others unchanged, and
 // what it is said to fail is what it fails.
 #include "lib/numerics/magnitude.hpp"
 #include "lib/project/run/evaluation/providers.hpp"
@@ -21,7 +21,7 @@ using account::State;
 using test::contains;
 using test::Solved;
 
-/// A shoulder at each joint, or nothing: the pieces beside it are one cylinder then. Lengths in mm.
+/// A shoulder at each joint, or nothing: the segments next to it are one cylinder then. Lengths in mm.
 struct Shaft {
   std::vector<int> lengths;
   std::vector<double> radii;  // of every joint; 0: nothing
@@ -105,7 +105,7 @@ bool passes(const Solved& solved) {
          });
 }
 
-/// Whether a piece stands too low beside a neighbour: over which nothing can be pushed any more, or whose shoulder is
+/// Whether a segment is too thin next to a neighbour: over which nothing can be pushed any more, or whose shoulder is
 /// lower than its fillet.
 bool is_unsound(const Shaft& shaft, const std::vector<double>& d, std::size_t piece, double less) {
   const auto beside = [&](std::size_t other) {
@@ -167,7 +167,7 @@ TEST_SUITE("smallest shafts" * test::by_case) {
     for (int i = 0; i < shafts; ++i) {
       const Shaft shaft = random_shaft(draw);
       const Solved solved(shaft.text(shaft.given));
-      if (!passes(solved)) continue;  // of fillets that are outside of Peterson's range beside the steps of bearings
+      if (!passes(solved)) continue;  // of fillets that are outside of Peterson's range next to the steps of bearings
       ++found;
       tried += try_smaller(shaft, solved);
     }

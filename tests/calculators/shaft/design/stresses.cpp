@@ -1,4 +1,4 @@
-// Stresses of a section under bending, thrust, torque and shear at once: beside a strip of 1/400000 of the radius, by
+// Stresses of a section under bending, thrust, torque and shear at once: against strips of 1/400000 of the radius, by
 // which an independent program finds the shear at the neutral axis.
 #include "calculators/shaft/design/design.hpp"
 #include "tests/calculators/evaluated.hpp"

@@ -41,7 +41,7 @@ const double to_rpm = 60.0 / (2.0 * std::numbers::pi);
 
 TEST_SUITE("shaft design torsion") {
   TEST_CASE("two discs, and the inertia of the shaft between them slightly lowers the frequency of the spring alone") {
-    const double own = 7850.0 * std::numbers::pi / 32.0 * std::pow(0.04, 4.0);  // kg m^2, beside 0.4 and 0.6
+    const double own = 7850.0 * std::numbers::pi / 32.0 * std::pow(0.04, 4.0);  // kg m^2, compared with 0.4 and 0.6
     const double bare = std::sqrt(stiffness * (1.0 / 0.4 + 1.0 / 0.6));
     const double omega = Solved(between_discs(two, "")).value("axle.n_T");
     CHECK(omega < bare);

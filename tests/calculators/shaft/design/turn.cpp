@@ -1,4 +1,4 @@
-// A shaft under loads over a turn: what stands in space and what turns with the shaft, by closed forms; a slider-crank
+// A shaft under loads over a revolution: fixed in space and turning with the shaft, by closed forms; a slider-crank
 // by another way.
 #include "calculators/shaft/design/design.hpp"
 #include "tests/lib/project/solved.hpp"

@@ -180,7 +180,7 @@ Model varied(Model model, std::mt19937& random) {
 struct Case {
   const char* name;
   Model model;
-  double way;  // of the drive from where it stands
+  double way;  // of the drive from its position
   double speed;
   bool in_lanes;
 };

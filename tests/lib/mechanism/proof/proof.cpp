@@ -28,7 +28,7 @@ Proven prove(const Model& model, const std::vector<Drive>& drives, bool statics 
 
 const std::vector<Drive> turning{{1.3, 20.0, -35.0}};
 
-/// The proof of a position of the six-bar in which somebody has changed something.
+/// The proof of a position of the six-bar with a falsified value.
 template <class Change>
 Proof prove_changed(Change change) {
   const Model model = six_bar();

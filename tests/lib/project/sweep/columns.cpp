@@ -20,7 +20,7 @@
 using namespace loadpath;
 using test::Swept;
 
-/// A rod whose method is told of some diameters, between others that it is not told of.
+/// A rod whose method covers some diameters, between others that it does not cover.
 struct Gapped {
   static constexpr auto id = "test.gapped", synonyms = "";
   static constexpr auto title = "A rod whose method has gaps";
@@ -284,7 +284,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
     const Swept swept(rod, {"rod.d"}, 1, {}, with_gapped());
     CHECK(swept.column("rod.d").front() == doctest::Approx(0.0315));
-    CHECK(std::isnan(swept.column("rod.d").back()));  // too thin, and the method is told of no thicker one
+    CHECK(std::isnan(swept.column("rod.d").back()));  // too thin, and the method covers no thicker one
   }
 
   TEST_CASE("a force next to the torque, which torsion covers with no diameter") {

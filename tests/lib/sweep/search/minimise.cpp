@@ -136,7 +136,7 @@ TEST_SUITE("search for the best design") {
     CHECK(resized == 2);
   }
 
-  // min x + y outside of a circle of which only a flag tells: at x = y = sqrt(1/2).
+  // min x + y outside a circle that only a flag shows: at x = y = sqrt(1/2).
   TEST_CASE("a flag alone limits the search, too") {
     Formula circle(2, 2, [](const double* x, double* y) {
       y[0] = x[0] + 2.0 * x[1];

@@ -16,7 +16,7 @@ class Display {
   explicit Display(const figure::Scale& scale);
 
   [[nodiscard]] double value(double si) const { return slope_ * si + offset_; }
-  [[nodiscard]] std::string number(double si) const;    // "-86"
+  [[nodiscard]] std::string number(double si) const;  // "-86"
   /// "-86 N·m"; with the power of an axis in its unit, "2.5 µm".
   [[nodiscard]] std::string quantity(double si, int power = 0) const;
   [[nodiscard]] bool in_degrees() const { return degrees_; }

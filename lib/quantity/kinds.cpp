@@ -55,7 +55,8 @@ Meant kind_of_field(const Declaration& field) {
   return Meant::nothing;
 }
 
-Meant kind_of_unit(const Dimension& dimension, bool hertz, bool joules) {
+Meant kind_of_unit(const Dimension& dimension, bool hertz, bool joules, bool scale) {
+  if (dimension == a_temperature && scale) return Meant::temperature;  // K: a temperature or a difference
   if (dimension == an_angular_speed) return Meant::angular_speed;
   if (dimension == a_frequency && hertz) return Meant::frequency;
   return dimension == a_work && joules ? Meant::work : Meant::nothing;

@@ -36,8 +36,8 @@ struct Declaration {
 };
 Meant kind_of_field(const Declaration& field);
 
-/// The kind of a literal: a frequency in hertz, a work in joules.
-Meant kind_of_unit(const Dimension& dimension, bool hertz, bool work);
+/// The kind of a literal: a frequency in hertz, a work in joules, a point on a scale of temperatures.
+Meant kind_of_unit(const Dimension& dimension, bool hertz, bool work, bool scale);
 
 /// "a shear stress"
 std::string_view name_of(Meant kind);

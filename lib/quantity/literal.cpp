@@ -168,7 +168,9 @@ Outcome<Literal> parse_literal(std::string_view text) {
 
 Meant kind_of_literal(std::string_view text) {
   const Outcome<Written> w = read(text);
-  return w ? kind_of_unit(w->unit.dimension, w->unit.has(Mark::hertz), w->unit.has(Mark::work)) : Meant::nothing;
+  if (!w) return Meant::nothing;
+  const auto& unit = w->unit;
+  return kind_of_unit(unit.dimension, unit.has(Mark::hertz), unit.has(Mark::work), unit.has(Mark::scale));
 }
 
 bool counts_anything(const Dimension& dimension, std::string_view text) {

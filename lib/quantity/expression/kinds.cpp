@@ -112,7 +112,14 @@ class KindWalk {
   Meant sum(const Node& node) {
     const Meant kind = alike(node);
     const bool differs = node.operation == Operation::subtract && kind == Meant::temperature;
-    return differs && of_node(node.kids[1]) == Meant::temperature ? Meant::difference : kind;
+    return differs && is_temperature(node.kids[1]) ? Meant::difference : kind;
+  }
+
+  /// What is subtracted from a temperature: "293.15 K" is another one, "60 K" a difference.
+  bool is_temperature(const Node& node) {
+    constexpr double least = 200.0;  // K
+    const bool is_absolute = is_constant(node) && constant(node) >= least;
+    return is_absolute || of_node(node) == Meant::temperature;
   }
 
   /// The kind common to all known operands; nothing if they differ.

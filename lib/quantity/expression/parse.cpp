@@ -137,7 +137,7 @@ void Parser::unit(Node& literal) {
   }
   literal.si = unit->to_si(literal.si);
   literal.dimension = unit->dimension;
-  literal.kind = kind_of_unit(unit->dimension, unit->has(Mark::hertz), unit->has(Mark::work));
+  literal.kind = kind_of_unit(unit->dimension, unit->has(Mark::hertz), unit->has(Mark::work), unit->has(Mark::scale));
   if (!std::isfinite(literal.si)) {
     fail(from, end - from, say("the number is too large in '{1}'", written), say("choose another unit"));
   }

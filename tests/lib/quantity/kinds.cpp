@@ -57,6 +57,8 @@ TEST_SUITE("quantity kinds") {
     CHECK(loadpath::kind_of_literal("20 N*m") == Meant::nothing);
     CHECK(loadpath::kind_of_literal("5 kW") == Meant::nothing);
     CHECK(loadpath::kind_of_literal("120 rpm") == Meant::angular_speed);
+    CHECK(loadpath::kind_of_literal("120 degC") == Meant::temperature);
+    CHECK(loadpath::kind_of_literal("60 K") == Meant::nothing);  // a temperature or a difference
     CHECK(loadpath::kind_of_literal("HEA 160") == Meant::nothing);
   }
 

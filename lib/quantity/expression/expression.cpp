@@ -3,8 +3,10 @@
 #include "lib/quantity/expression/tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 namespace loadpath {
 
@@ -69,6 +71,23 @@ bool keeps_quantity(expression::Rule rule) {
          rule == Rule::same;
 }
 
+double plain_number_of(const Node& node) {
+  switch (node.operation) {
+    case Operation::literal:
+      return node.dimension.is_number() && node.si != std::numbers::pi ? node.si : std::nan("");
+    case Operation::reference:
+      return 1.0;
+    case Operation::negate:
+      return -plain_number_of(node.kids[0]);
+    case Operation::multiply:
+      return plain_number_of(node.kids[0]) * plain_number_of(node.kids[1]);
+    case Operation::divide:
+      return plain_number_of(node.kids[0]) / plain_number_of(node.kids[1]);
+    default:
+      return std::nan("");
+  }
+}
+
 bool calls(const Node& node) {
   return node.operation == Operation::call || std::any_of(node.kids.begin(), node.kids.end(), calls);
 }
@@ -113,6 +132,8 @@ Outcome<Expression> Expression::parse(std::string_view text) {
 const std::vector<Expression::Reference>& Expression::references() const { return references_; }
 
 bool Expression::is_reference() const { return tree_->root.operation == Operation::reference; }
+
+double Expression::plain_number() const { return plain_number_of(tree_->root); }
 
 std::vector<Expression::Reference> Expression::handed_on() const {
   std::vector<Reference> references;

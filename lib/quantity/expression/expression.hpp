@@ -100,6 +100,9 @@ class Expression {
   [[nodiscard]] Outcome<Meant> kind(const KindOf& of, const Declared& declared) const;
   /// Whether it contains pi: 2*pi*f converts revolutions to radians.
   [[nodiscard]] bool holds_pi() const;
+  /// The plain number that a product of references is multiplied with: 0.5 of "values.P/values.n/2". NaN of anything
+  /// else: a sum, a power, a call, a number with a unit, pi.
+  [[nodiscard]] double plain_number() const;
   /// The factors of its references: of a product all, of a quotient without those of the divisor, of a root of a
   /// square once. A factor that would count twice, and a sum in which only some operands include one, are faults.
   [[nodiscard]] Outcome<Factors> factors(const FactorsOf& of) const;

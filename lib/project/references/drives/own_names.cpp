@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -76,14 +77,34 @@ bool loads_a_part(const FieldInfo& field, std::string_view path) {
   return (field.is_load && !field.dimension.is_number()) || is_mass;
 }
 
-/// What the inputs of the project take of a value in total, as loads of this dimension.
-double taken_in_total(const Project& project, const std::string& path, const Dimension& dimension) {
+/// The values of [values] that a product consists of, each once: "values.P values.n"; empty if it refers to anything
+/// else, or to a length: "values.F*values.l/4" is the moment of a beam.
+std::string values_of_product(const Operand& operand, const Project& project) {
+  std::set<std::string> paths;
+  for (const auto& reference : operand.expression.references()) {
+    const Value* const value = reference.path.starts_with(of_values) ? project.value(reference.path) : nullptr;
+    if (value == nullptr || value->is_series() || value->signature.dimension == Dimension::of(1, 0, 0)) return {};
+    paths.insert(reference.path);
+  }
+  std::string all;
+  for (const std::string& path : paths) all += (all.empty() ? "" : " ") + path;
+  return all;
+}
+
+constexpr double least_share = 0.85;  // losses of a drive need no reason
+
+/// What the inputs of the project take of a value, or of a product of values, in parts, as loads of this dimension. A
+/// shaft that carries the whole in front of its hubs takes none of their parts.
+template <class ValuesOf>
+double taken_in_parts(const Project& project, const std::string& path, double whole, const Dimension& dimension,
+                      const ValuesOf& values_of) {
   double total = 0.0;
   for (const auto& step : project.steps) {
     for (const Operand& operand : step->input().reading.operands) {
       const FieldInfo& field = *operand.leaf.field;
-      if (!loads_a_part(field, operand.path) || field.dimension != dimension) continue;
-      if (only_value(operand) == path) total += std::fmax(0.0, std::abs(own_value(*step, project, operand.path)));
+      if (!loads_a_part(field, operand.path) || field.dimension != dimension || values_of(operand) != path) continue;
+      const double own = std::abs(own_value(*step, project, operand.path));
+      if (own < least_share * whole) total += own;
     }
   }
   return total;
@@ -105,10 +126,54 @@ bool is_half_of_two(const Operand& operand, double share) {
   return text.find("0.5*") != std::string::npos || text.ends_with("*0.5");
 }
 
+/// Whether the input has the product itself: a value of [values] states a share by its name.
+bool is_written_as_product(const Step& step, const Operand& operand) {
+  const auto& typed = step.input().reading.typed;
+  const auto at = typed.find(operand.path);
+  const bool is_named = at != typed.end() && !at->second.shared.empty();
+  return !is_named && operand.text.find_first_of("*/") != std::string::npos;
+}
+
+/// A load that is a part of a product of [values] by a bare number: "T = =values.P/values.n/1.5".
+void compare_product(const Step& step, const Project& project, const Operand& operand,
+                     std::vector<ReducedLoad>& found) {
+  const FieldInfo& field = *operand.leaf.field;
+  const double share = std::abs(operand.expression.plain_number());
+  if (!(share > 0.0 && share < least_share) || !loads_a_part(field, operand.path)) return;
+  const std::string values = values_of_product(operand, project);
+  const bool is_part = means(*step.input().calculator, operand.path, &is_part_of_cycle);
+  if (values.find(' ') == std::string::npos || !is_written_as_product(step, operand) || is_part) return;
+  if (is_half_of_two(operand, share) || is_explained(step, project, share)) return;
+  const double whole = std::abs(own_value(step, project, operand.path)) / share;
+  const auto values_of = [&](const Operand& other) { return values_of_product(other, project); };
+  if (!(whole > 0.0) || taken_in_parts(project, values, whole, field.dimension, values_of) >= least_share * whole)
+    return;
+  found.push_back(
+      {operand.path, say("{1} is {2} times the product of its values, and no input takes the rest: refer to a value "
+                         "that states the share or the number of parts, or justify it: {3} = \"...\"",
+                         operand.path, format_number(share, 4), because_key(operand.path))});
+}
+
+const Dimension turning = Dimension::of(0, 0, -1, 0, 1);
+
+/// A speed that is a part of another one by a bare number: "n = =belts.n_2/60".
+void compare_speed(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
+  const auto& references = operand.expression.references();
+  const double share = std::abs(operand.expression.plain_number());
+  if (references.size() != 1 || operand.leaf.field->dimension != turning || !(share > 0.0 && share < least_share))
+    return;
+  const std::string& path = references.front().path;
+  const Value* const value = project.value(path);
+  if (value == nullptr || value->signature.dimension != turning || !is_written_as_product(step, operand)) return;
+  if (is_explained(step, project, share)) return;
+  found.push_back({operand.path, say("{1} is {2} times '{3}': speeds have units, and a ratio is a value of [values] or "
+                                     "of the drive; refer to it, or justify it: {4} = \"...\"",
+                                     operand.path, format_number(share, 4), path, because_key(operand.path))});
+}
+
 /// A load that is a part of a load of [values] by a bare number: "F = =values.F/4". The parts may make up the whole,
 /// as two bearings with a half each; an angle states the direction of a component.
 void compare_load(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
-  constexpr double least = 0.85;  // losses of a drive need no reason
   const std::string path = only_value(operand);
   const FieldInfo& field = *operand.leaf.field;
   if (path.empty() || !loads_a_part(field, operand.path) || operand.expression.is_reference()) return;
@@ -119,10 +184,10 @@ void compare_load(const Step& step, const Project& project, const Operand& opera
     return;
   const double stated = std::abs(magnitude_at(project, path));
   const double share = std::abs(own_value(step, project, operand.path)) / stated;
-  if (!(stated > 0.0 && share > 0.0 && share < least) || is_half_of_two(operand, share) ||
+  if (!(stated > 0.0 && share > 0.0 && share < least_share) || is_half_of_two(operand, share) ||
       is_explained(step, project, share))
     return;
-  if (taken_in_total(project, path, field.dimension) >= least * stated) return;
+  if (taken_in_parts(project, path, stated, field.dimension, &only_value) >= least_share * stated) return;
   found.push_back({operand.path, say("{1} is {2} times '{3}', and no input takes the rest: refer to a value that "
                                      "states the share or the number of parts, or justify it: {4} = \"...\"",
                                      operand.path, format_number(share, 4), path, because_key(operand.path))});
@@ -136,7 +201,11 @@ std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project
     const auto& references = operand.expression.references();
     const std::string& key = operand.path;
     const int safer = safer_by(step, key);
-    if (safer == 0) compare_load(step, project, operand, found);
+    if (safer == 0) {
+      compare_load(step, project, operand, found);
+      compare_product(step, project, operand, found);
+      compare_speed(step, project, operand, found);
+    }
     if (safer == 0 || operand.expression.is_reference() || references.size() != 1) continue;
     const std::string& path = references.front().path;
     if (!path.starts_with(of_values) || !is_meant_for(path.substr(of_values.size()), key)) continue;

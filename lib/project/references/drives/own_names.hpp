@@ -7,8 +7,8 @@
 
 namespace loadpath::project {
 
-/// Lives, factors and pressures below, and strengths above the value of [values] that an expression computes them from.
-/// They need a reason.
+/// Lives, factors and pressures below, and strengths above the value of [values] that an expression computes them from;
+/// loads and speeds that are a part of values by a bare number. They need a reason.
 std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project);
 
 }  // namespace loadpath::project

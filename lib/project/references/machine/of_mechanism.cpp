@@ -127,6 +127,47 @@ void compare_typed_forces(const Step& step, const Project& project, std::vector<
   }
 }
 
+/// Whether a load does no work: a force at right angles to the motion of its point. False where that is not known.
+bool does_no_work(const Step& mechanism, const Project& project, const std::string& load) {
+  constexpr double negligible = 1e-6;
+  const Record& record = mechanism.input().reading.record;
+  const Leaf point = find_leaf(record, load + ".at"), axes = find_leaf(record, load + ".axes");
+  if (!point || (axes && word_of(axes) == "link")) return false;
+  const auto own = [&](const char* key) {
+    const double si = own_value(mechanism, project, load + key);
+    return std::isnan(si) ? 0.0 : si;
+  };
+  if (own(".M") != 0.0) return false;
+  const double F_x = std::abs(own(".F_x") + own(".F") * std::cos(own(".direction")));
+  const double F_y = std::abs(own(".F_y") + own(".F") * std::sin(own(".direction")));
+  const std::string at = mechanism.name() + ".points." + word_of(point) + ".";
+  const double v_x = std::abs(magnitude_at(project, at + "v_x")), v_y = std::abs(magnitude_at(project, at + "v_y"));
+  const double F = std::hypot(F_x, F_y), v = std::hypot(v_x, v_y);  // 0 of a mechanism at rest
+  return v > 0.0 && F_x * v_x + F_y * v_y <= negligible * F * v;
+}
+
+/// Whether friction, springs or weights load the drive of a mechanism.
+bool has_other_actions(const Step& mechanism) {
+  return std::ranges::any_of(mechanism.input().reading.typed, [](const auto& entry) {
+    const std::string& path = entry.first;
+    return path == "mu" || path.ends_with(".mu") || path == "gravity" || path.starts_with("springs");
+  });
+}
+
+/// A mechanism whose loads do no work: its drive moves masses only.
+void compare_work(const Step& mechanism, const Project& project, std::vector<ReducedLoad>& found) {
+  const Record& record = mechanism.input().reading.record;
+  const FieldInfo* const loads = record.data == nullptr ? nullptr : find_field(record.type->fields, "loads");
+  if (std::string_view(mechanism.input().calculator->id) != "mechanism.planar" || loads == nullptr) return;
+  const std::size_t count = loads->size(record.data.get());
+  if (count == 0 || has_other_actions(mechanism)) return;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!does_no_work(mechanism, project, "loads" + element_path(*loads, record.data.get(), i))) return;
+  }
+  found.push_back({"loads", say("no load does work, each is at right angles to the motion of its point, and the drive "
+                                "moves masses only: correct the directions, or because.loads = \"...\"")});
+}
+
 /// The mass of a link in its mechanism, next to the bar that is assessed with its load: the bar alone has half of its
 /// volume at least, without the bores of its eyes.
 void compare_masses(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
@@ -157,6 +198,7 @@ std::vector<ReducedLoad> loads_of_mechanism(const Step& step, const Project& pro
   compare_load_cases(step, project, found);
   compare_typed_forces(step, project, found);
   compare_masses(step, project, found);
+  compare_work(step, project, found);
   return found;
 }
 

@@ -21,6 +21,7 @@ namespace {
 
 constexpr double bodies_few_digits = 0.02;  // values that are rounded elsewhere
 const Dimension body_mass = Dimension::of(0, 1, 0);
+const Dimension of_stroke = Dimension::of(1, 0, 0);
 const Dimension body_inertia = Dimension::of(2, 1, 0);
 const Dimension rate_of_spring = Dimension::of(0, 1, -2);
 const Dimension rate_of_turning_spring = Dimension::of(2, 1, -2);
@@ -92,6 +93,7 @@ class Bodies {
       if (dimension == body_mass) compare_link(name, si, "mass", "kg", {"m", "mass"});
       if (dimension == body_inertia) compare_link(name, si, "J", "kg*m^2", {"j", "inertia"});
       if (dimension.is_number()) compare_friction(name, si);
+      if (dimension == of_stroke) compare_stroke(name, si);
       if (dimension == rate_of_spring || dimension == rate_of_turning_spring) compare_spring(name);
     }
     return std::move(found_);
@@ -127,6 +129,26 @@ class Bodies {
         say("values.{1} = {2} acts on no step, and the joints have less friction: give joints.NAME.mu, delete "
             "it, or justify it: because.joints = \"...\"",
             name, format_number(si, 4)));
+  }
+
+  /// The stroke of a guide, next to those of the mechanism.
+  void compare_stroke(const std::string& name, double si) {
+    if (!has_word(name, {"stroke", "hub", "travel"}) ||
+        !has_only_words(name, {"stroke", "hub", "travel", "s", "l", "h", "piston", "slider", "ram", "plunger", "punch",
+                               "carriage", "table", "work", "working", "total", "full"}))
+      return;
+    std::string nearest;
+    double of_nearest = std::nan("");
+    for (const std::string& joint : elements_of(step_, "joints")) {
+      const double here = magnitude_at(project_, step_.name() + ".joints." + joint + ".stroke");
+      if (std::isnan(here) || std::abs(here - si) > std::abs(of_nearest - si)) continue;
+      of_nearest = here, nearest = joint;
+    }
+    if (!(std::abs(of_nearest - si) > bodies_few_digits * si)) return;
+    add("joints",
+        say("values.{1} = {2} acts on no step, and '{3}' has a stroke of {4}: correct the lengths, delete the "
+            "value, or justify it: because.joints = \"...\"",
+            name, format_quantity(si, "mm", 4), nearest, format_quantity(of_nearest, "mm", 4)));
   }
 
   /// A spring next to a mechanism without one.

@@ -1,5 +1,6 @@
 #include "lib/project/references/agreement/trains.hpp"
 
+#include "lib/project/references/agreement/stated_names.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/quantity/format.hpp"
@@ -194,11 +195,37 @@ class WheelCheck {
   std::vector<ReducedLoad> found_;
 };
 
+/// A speed that is asked for, next to a train none of whose shafts has it.
+void compare_wanted_speeds(const Step& train, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double apart = 0.1;  // of the speed asked for: numbers of teeth are whole
+  const Dimension turning = Dimension::of(0, 0, -1, 0, 1);
+  for (const auto& [name, value] : project.values.unused()) {
+    if (!(value.signature.dimension == turning) || !has_word(name, {"n", "omega", "speed", "drehzahl"})) continue;
+    if (!has_word(name, {"target", "wanted", "desired", "required", "req", "soll", "goal", "nominal"})) continue;
+    const double wanted = std::abs(value.si.front());
+    double nearest = std::nan("");
+    for (std::size_t k = 1;; ++k) {
+      const double n = at_shaft(project, train.name(), k, "n");
+      if (std::isnan(n)) break;
+      if (!(std::abs(n - wanted) > std::abs(nearest - wanted))) nearest = n;
+    }
+    if (!(std::abs(nearest - wanted) > apart * wanted)) continue;
+    found.push_back(
+        {"stages", say("values.{1} = {2} acts on no step, and no shaft turns with it, the nearest with {3}: "
+                       "correct the stages, delete it, or because.stages = \"...\"",
+                       name, format_quantity(wanted, "rpm", 4), format_quantity(nearest, "rpm", 4))});
+  }
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> stages_of_trains(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  if (kind_of_step(step) == "drive.train") compare_stages(step, project, found), compare_worms(step, project, found);
+  if (kind_of_step(step) == "drive.train") {
+    compare_stages(step, project, found);
+    compare_worms(step, project, found);
+    compare_wanted_speeds(step, project, found);
+  }
   if (kind_of_step(step) == "drive.friction_wheels") found = WheelCheck(step, project).run();
   return found;
 }

@@ -124,6 +124,29 @@ TEST_SUITE("found seats") {
     CHECK_FALSE(is_doubted(with("8 kg"), "a steel disc"));
   }
 
+  TEST_CASE("a mass that is taken from a flywheel has its moment of inertia") {
+    const std::string fly =
+        "[fly]\ncalculator = \"machine.flywheel\"\npoints = [[\"0 deg\", \"100 N*m\"], [\"180 deg\", \"160 N*m\"], "
+        "[\"360 deg\", \"100 N*m\"]]\nomega = \"730 rpm\"\ndelta = 0.02\nD = \"400 mm\"\nv_adm = \"30 m/s\"\n\n";
+    const auto with = [&](const std::string& J) {
+      std::string shaft = shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\"",
+                                     "integral = true, mass = \"=fly.m_rim\", J = \"" + J + "\"");
+      return fly + shaft.replace(shaft.find("0.002 kg*m^2"), 12, J);
+    };
+    CHECK(is_doubted(with("0.02 kg*m^2"), "whose mass is taken"));
+    CHECK_FALSE(is_doubted(with("=fly.J_F"), "whose mass is taken"));
+  }
+
+  TEST_CASE("a connection is calculated with the yield strength of its shaft") {
+    const auto with = [](const std::string& R_e_1) {
+      std::string key = key_with("1");
+      key.replace(key.find("440 MPa"), 7, R_e_1);
+      return key + shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\"", "connection = \"=key.connection\"");
+    };
+    CHECK(is_doubted(with("800 MPa"), "this shaft has 440 MPa"));
+    CHECK_FALSE(is_doubted(with("500 MPa"), "this shaft has"));
+  }
+
   TEST_CASE("teeth that are cut into the shaft lie outside its surface") {
     const std::string seat = taken + "b = \"45 mm\"";
     CHECK(first_error_of(gears + shaft_with(seat, "integral = true", "60 mm")).find("lies inside the shaft") !=

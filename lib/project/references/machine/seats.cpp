@@ -14,7 +14,8 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double rounded = 1e-3;  // of a value: sizes typed with few digits
+constexpr double rounded = 1e-3;        // of a value: sizes typed with few digits
+constexpr double in_few_digits = 0.05;  // of a moment of inertia that is computed elsewhere
 
 class SeatCheck {
  public:
@@ -33,7 +34,7 @@ class SeatCheck {
       const std::string seat = "seats" + element_path(*seats, record.data.get(), i) + ".";
       compare_gyration(seat), compare_least_gyration(seat);
     }
-    for (const Operand& operand : shaft_.input().reading.operands) compare_component(operand);
+    for (const Operand& operand : shaft_.input().reading.operands) compare_component(operand), compare_inertia(operand);
     return std::move(found_);
   }
 
@@ -158,6 +159,26 @@ class SeatCheck {
             "{6} = \"...\"",
             seat + "J", format_quantity(J, "kg*m^2", 3), format_quantity(mass, "kg", 3), format_quantity(d, "mm", 4),
             format_quantity(least, "kg*m^2", 3), because_key(seat + "J")));
+  }
+
+  /// A mass that is taken from a flywheel or a disc has its moment of inertia, in proportion.
+  void compare_inertia(const Operand& operand) {
+    if (!operand.path.starts_with("seats") || !operand.path.ends_with(".mass")) return;
+    const std::string seat = prefix_of(operand.path);
+    for (const auto& reference : operand.expression.references()) {
+      const std::string wheel = split_step(reference.path).first;
+      const double share = own_value(shaft_, project_, operand.path) / magnitude_at(project_, reference.path);
+      double of_wheel = std::nan("");
+      for (const char* const key : {".J_F", ".J", ".J_z"})
+        of_wheel = std::fmax(of_wheel, magnitude_at(project_, wheel + key));
+      for (const char* const key : {"J", "I_p"}) {
+        if (!(own_value(shaft_, project_, seat + key) < (1.0 - in_few_digits) * share * of_wheel)) continue;
+        add(seat + key,
+            say("{1} is below the moment of inertia of '{2}', whose mass is taken, {3}: take it from "
+                "there, or {4} = \"...\"",
+                seat + key, wheel, format_quantity(share * of_wheel, "kg*m^2", 3), because_key(seat + key)));
+      }
+    }
   }
 
   /// A body of the width of the seat with this moment of inertia has at least a ninth of the mass of a solid steel

@@ -54,6 +54,21 @@ TEST_SUITE("found vessels") {
     CHECK(mode_of(solved_as_found(with("140 MPa")), "shell", "strength") == "pass");
   }
 
+  TEST_CASE("walls of one pressure have no higher allowable stress than the material of one of them allows") {
+    const auto with = [](const std::string& sigma_adm, const std::string& p) {
+      return "[values]\np = \"0.8 MPa\"\n\n[shell]\ncalculator = \"vessel.cylinder\"\np = \"=values.p\"\nR = \"500 "
+             "mm\"\nmeasured = \"inner\"\nc = \"1 mm\"\nz_l = 0.85\nmaterial = \"P265GH\"\nS = 1.5\n\n"
+             "[ring]\ncalculator = \"vessel.torus\"\nR_0 = \"1 m\"\nr = \"100 mm\"\np = \"" +
+             p + "\"\nsigma_adm = \"" + sigma_adm + "\"\n";
+    };
+    const auto state = [&](const std::string& sigma_adm, const std::string& p) {
+      return mode_of(solved_as_found(with(sigma_adm, p)), "ring", "strength");
+    };
+    CHECK(state("140 MPa", "=values.p") == "pass");
+    CHECK(state("260 MPa", "=values.p") == "not-judged");  // R_e = 265 MPa
+    CHECK(state("260 MPa", "0.2 MPa") == "pass");          // another vessel
+  }
+
   TEST_CASE("an end with a radius that no shell has is compared with the shell of the nearest radius") {
     CHECK(doubt_of_hemisphere("300 mm").find("'narrow'") != std::string::npos);
     CHECK(doubt_of_hemisphere("1500 mm").find("'wide'") != std::string::npos);

@@ -154,14 +154,33 @@ void compare_liquid(const Step& step, const Project& project, std::vector<Reduce
   }
 }
 
-/// The allowable stress of a wall whose material is that of the end that takes its record.
+/// The value of [values] that is the pressure of a wall; empty if none is.
+std::string shared_pressure(const Step& step) {
+  const auto& typed = step.input().reading.typed;
+  const auto pressure = typed.find("p");
+  return pressure == typed.end() ? std::string() : pressure->second.shared;
+}
+
+/// Whether two walls are of one vessel: one takes values of the other, or both the same pressure.
+bool are_of_one_vessel(const Step& wall, const Step& other) {
+  if (steps_named_in(other.input().reading).contains(wall.name())) return true;
+  if (steps_named_in(wall.input().reading).contains(other.name())) return true;
+  const std::string pressure = shared_pressure(wall);
+  return !pressure.empty() && pressure == shared_pressure(other);
+}
+
+bool is_wall(const Step& step) {
+  return step.input().calculator != nullptr && std::string_view(step.input().calculator->id).starts_with("vessel.");
+}
+
+/// The allowable stress of a wall without a material, next to another one of its vessel.
 void compare_wall(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   constexpr double least = 1.5;  // against yielding, as of every wall
   const auto& typed = step.input().reading.typed;
-  if (!hands_over(step, "shell") || !typed.contains("sigma_adm") || !material_of(step).empty()) return;
+  if (!is_wall(step) || !typed.contains("sigma_adm") || !material_of(step).empty()) return;
   const double sigma = own_value(step, project, "sigma_adm");
   for (const auto& end : project.steps) {
-    if (!steps_named_in(end->input().reading).contains(step.name()) || material_of(*end).empty()) continue;
+    if (end.get() == &step || material_of(*end).empty() || !are_of_one_vessel(step, *end)) continue;
     const auto row = project.tables->find_row("material", material_of(*end));
     const double R_e = row ? table::largest_value(*row, "R_e") : std::nan("");
     if (!(least * sigma > (1.0 + 1e-3) * R_e)) continue;

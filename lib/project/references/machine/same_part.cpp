@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -58,7 +60,7 @@ class PartCheck {
     for (const Taken& record : step_.input().reading.records) {
       const auto [name, rest] = split_step(record.source);
       const Step* const source = project_.find(name);
-      if (source != nullptr && key_in(rest) == "cycle") compare_material(record.path, *source);
+      if (source != nullptr && key_in(rest) == "cycle") compare_material(record.path, *source), compare_bar(*source);
     }
     return std::move(found_);
   }
@@ -156,6 +158,39 @@ class PartCheck {
       if (here > there * (1.0 + same))
         add(path, say("{2} = {3}, but '{4}' has {5} for the same part: because.{1} = \"...\"", path, key,
                       format_quantity(here, "MPa", 4), source.name(), format_quantity(there, "MPa", 4)));
+    }
+  }
+
+  /// The size that the fatigue strength is for, and the input with it: its own, or that of the limit that it takes.
+  [[nodiscard]] std::pair<const char*, double> size_of_strength() const {
+    const double own = own_value(step_, project_, "d_h");
+    if (!std::isnan(own)) return {"d_h", own};
+    for (const char* const key : {"sigma_D", "tau_D"}) {
+      const Operand* const limit = step_.input().reading.operand(key);
+      if (limit == nullptr || !limit->expression.is_reference()) continue;
+      const std::string source = split_step(limit->expression.references().front().path).first;
+      const double treated = magnitude_at(project_, source + ".d_h");
+      return {key, std::isnan(treated) ? magnitude_at(project_, source + ".d") : treated};
+    }
+    return {"d_h", std::nan("")};
+  }
+
+  /// A solid bar that is thicker than the one of the fatigue strength. Its stress may come through a cycle of its own.
+  void compare_bar(const Step& cycle) {
+    constexpr double most = 1.05;  // of a diameter in round numbers
+    const auto [key, size] = size_of_strength();
+    std::set<std::string> parts = steps_named_in(cycle.input().reading);
+    parts.insert(cycle.name());
+    for (const std::string& name : parts) {
+      const Step* const part = project_.find(name);
+      if (part == nullptr || part->input().calculator == nullptr || connects(*part)) continue;
+      const std::string_view id = part->input().calculator->id;
+      if (!id.starts_with("shaft.") && !id.starts_with("link.")) continue;
+      const double d = magnitude_at(project_, name + ".d"), bore = magnitude_at(project_, name + ".d_bore");
+      if (bore > 0.0 || !(d > most * size)) continue;
+      add(key, say("the stress is that of '{1}', d = {2}, and the fatigue strength that of {3}: correct the size, or "
+                   "because.{4} = \"...\"",
+                   name, format_quantity(d, "mm", 4), format_quantity(size, "mm", 4), key));
     }
   }
 

@@ -72,6 +72,9 @@ double InvertedTooth::most_rating(const Input& in) {
 /// A wider chain is loaded unevenly on a sprocket that is not parallel to the other; bound set by loadpath.
 double InvertedTooth::most_width(const Input& in) { return in_si(in.p) / std::sin(pi / std::min(in.z_1, in.z_2)); }
 
+/// Silent chains of GOST 13552 have 4500 to 6000 kg/m^3 of pitch x width, from memory.
+double InvertedTooth::least_mass(const Input& in) { return in_si(in.p) * in_si(in.b) * 2500.0; }
+
 double InvertedTooth::most_speed(const Input&) { return most_silent_speed; }
 /// Where no maximum speed of the chain is given.
 double InvertedTooth::most_rotation(const Input& in) {

@@ -172,6 +172,7 @@ v_max = "25 m/s"
   static double most_breaking_load(const Input& in);
   static double most_rating(const Input& in);
   static double most_width(const Input& in);
+  static double least_mass(const Input& in);
   static double most_speed(const Input& in);
   static double most_rotation(const Input& in);
   static double most_centre(const Input& in);
@@ -179,6 +180,7 @@ v_max = "25 m/s"
   static constexpr std::array bounds{Bound<Input>{"F_u", "140 N/mm^2 of pitch x width", &most_breaking_load},
                                      Bound<Input>{"P_b", "a pull of 20 N/mm^2 of pitch x width", &most_rating},
                                      Bound<Input>{"b", "the smaller sprocket diameter", &most_width},
+                                     Bound<Input>{"q", "a silent chain of this pitch and width", &least_mass}.least(),
                                      Bound<Input>{"v_max", "silent chains", &most_speed},
                                      Bound<Input>{"n_1", "a chain speed of 35 m/s", &most_rotation},
                                      Bound<Input>{"a", "80 pitches", &most_centre},

@@ -286,8 +286,16 @@ dT_adm = "250 K"
     const double d = in.d.value() * 1e3, i = (0.45 * std::cbrt(d) + 0.001 * d) * 1e-6;
     return in.U_min < in.U_max ? in.U_max.value() - 7.0 * i : std::numeric_limits<double>::quiet_NaN();
   }
+  /// Lapped surfaces have this roughness; without any, U_min is the effective interference.
+  static double least_roughness(Length Rz) {
+    return Rz > 0.0 * um.one ? in_si(0.4 * um.one) : std::numeric_limits<double>::quiet_NaN();
+  }
+  static double least_of_shaft(const Input& in) { return least_roughness(in.Rz_1); }
+  static double least_of_hub(const Input& in) { return least_roughness(in.Rz_2); }
   static constexpr std::array bounds{
-      Bound<Input>{"U_min", "tolerances of shaft and hub of grade IT5", &most_certain_interference}};
+      Bound<Input>{"U_min", "tolerances of shaft and hub of grade IT5", &most_certain_interference},
+      Bound<Input>{"Rz_1", "a lapped surface", &least_of_shaft}.least(),
+      Bound<Input>{"Rz_2", "a lapped surface", &least_of_hub}.least()};
   static constexpr std::array modes{
       Mode<Input>{"slip", "slip of the interference fit", &loaded}.judged_by("u_s, x_l").wanting("T, mu, S_r"),
       Mode<Input>{"shaft", "yielding of the shaft", &always<Input>}.judged_by("u_1"),

@@ -37,4 +37,12 @@ inline double most_form_factor(const Input& in) {
 /// Standard worms have diameter quotients from 6 on; from memory.
 inline double least_diameter(const Input& in) { return is_set(in.m_x) ? in_si(6.0 * in.m_x) : unset<double>; }
 
+/// AGMA takes 43.2 a^1.7 square inches, with a in inches, for a case without ribs (Shigley, 13-11); ribs and a fan make
+/// it three times that at most, bound set by loadpath.
+inline double most_surface(const Input& in) {
+  constexpr double inch = 0.0254, of_plain_case = 43.2, with_ribs = 3.0;
+  const double a = in_si(0.5 * (in.d_1 + in.m_x * in.z_2)) / inch;
+  return with_ribs * of_plain_case * std::pow(a, 1.7) * inch * inch;
+}
+
 }  // namespace loadpath::gear::worm_gear

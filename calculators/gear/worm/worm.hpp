@@ -178,7 +178,8 @@ dT_adm = "60 K"
       Bound<Input>{"mu", "the sliding velocity, less 20 %", &worm_gear::least_friction}.least(),
       Bound<Input>{"mu", "the sliding velocity, plus 25 %", &worm_gear::most_friction},
       Bound<Input>{"y", "the pressure angle", &worm_gear::most_form_factor},
-      Bound<Input>{"d_1", "the thinnest usual worm, 6 m_x", &worm_gear::least_diameter}.least()};
+      Bound<Input>{"d_1", "the thinnest usual worm, 6 m_x", &worm_gear::least_diameter}.least(),
+      Bound<Input>{"A_h", "a ribbed case of this centre distance", &worm_gear::most_surface}};
 
   static constexpr bool turns = true;
   static Applies loaded(const Input& in) { return where(carries(in)); }

@@ -56,6 +56,11 @@ std::vector<Practice> sizes() {
       {"pin.en1993", "", "d_0 = \"60 mm\"", "d_0 = \"52 mm\"", "plate_1"},
       {"shaft.press_fit", "", "U_min = \"85 um\"", "U_min = \"60 um\"", "slip"},
       {"shaft.press_fit", "", "U_min = \"85 um\"", "U_min = \"90 um\"", "slip"},  // one interference, as in a book
+      {"shaft.press_fit", "", "Rz_1 = \"4 nm\"", "Rz_1 = \"0.4 um\"", "slip"},
+      {"shaft.press_fit", "", "Rz_2 = \"4 nm\"", "Rz_2 = \"0 um\"", "slip"},  // U_min is the effective interference
+      {"chain.inverted_tooth", "", "q = \"0.025 kg/m\"", "q = \"2.5 kg/m\"", "breaking"},
+      {"gear.worm", "", "A_h = \"2.5 m^2\"", "A_h = \"0.8 m^2\"", "heat"},  // a = 100 mm: 43.2 a^1.7 is 0.286 m^2
+      {"fatigue.endurance", "R_z = \"6.3 um\"", "R_z = \"6.3 nm\"", "R_z = \"0.1 um\"", "surface"},
   };
 }
 

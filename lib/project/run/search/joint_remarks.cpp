@@ -59,10 +59,11 @@ void JointSearch::leave_open(SizeIndices nearest) {
   sizes_.cap();
   Shortfall least;
   bool is_first = true;
+  std::set<SizeIndices> tried;
+  last_.reset();
   for (const double level : sizes_.levels()) {
-    const SizeIndices all = sizes_.first_from(level);
-    if (!sizes_.set(all)) continue;
-    settle();
+    if (!sizes_.set(sizes_.first_from(level)) || !tried.insert(sizes_.now()).second) continue;
+    evaluation_.settle_sizes_again();
     if (!passing_.keeps_rules()) continue;
     const Shortfall here = shortfall_of_candidate(evaluation_, passing_);
     if (!is_first && !here.is_less_than(least)) continue;

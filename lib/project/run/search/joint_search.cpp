@@ -19,9 +19,12 @@ bool JointSearch::passes() {
   if (!sizes_.is_sound()) return false;
   SizeIndices sizes = sizes_.now();
   if (last_ && last_->sizes == sizes) return last_->pass;
+  if (failed_.contains(sizes)) return false;
   const bool pass = passing_.passes_again();
   last_.reset();
-  if (evaluation_.is_settled()) last_ = Evaluated{std::move(sizes), pass};
+  if (!evaluation_.is_settled()) return pass;
+  if (!pass) failed_.insert(sizes);
+  last_ = Evaluated{std::move(sizes), pass};
   return pass;
 }
 
@@ -102,6 +105,16 @@ void JointSearch::lower_alone(SizeIndices& least) {
 
 /// Whether the checks at the places of one of them, and of those of equal size, pass with the others unchanged.
 bool JointSearch::places_pass(std::size_t first) {
+  SizeIndices key = sizes_.now();
+  key.push_back(first);
+  const auto known = places_.find(key);
+  if (known != places_.end()) return known->second;
+  const bool pass = places_pass_now(first);
+  if (evaluation_.is_settled()) places_.emplace(std::move(key), pass);
+  return pass;
+}
+
+bool JointSearch::places_pass_now(std::size_t first) {
   last_.reset();
   evaluation_.settle_sizes_again();
   if (!passing_.keeps_rules()) return true;  // rules of the others, as far as known
@@ -301,6 +314,8 @@ bool JointSearch::excuse_unmoved() {
   if (last == first) return false;
   const FailedValues unmoved = unmoved_values(smallest, failed_values(evaluation_, passing_));
   for (const auto& [row, value] : unmoved) passing_.excuse(row);
+  failed_.clear();
+  places_.clear();
   return !unmoved.empty();
 }
 

@@ -10,7 +10,9 @@
 #include "lib/project/run/search/passing.hpp"
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,7 +33,7 @@ class JointSearch {
 
   [[nodiscard]] bool has_check() const;
   /// Whether the sizes as they are pass. A search comes back to the same sizes again and again, in other ways: one
-  /// evaluation for all, as long as there is no other in between.
+  /// evaluation for all, as long as there is no other in between; sizes that have failed are not evaluated again.
   bool passes();
   /// Evaluates sizes for something else than `passes`.
   void settle() { last_.reset(), evaluation_.settle_sizes(); }
@@ -55,6 +57,7 @@ class JointSearch {
   bool find_cheaper(double lowest, SizeIndices& least);
   void branch(Branching& at, std::size_t depth);
   bool places_pass(std::size_t first);
+  [[nodiscard]] bool places_pass_now(std::size_t first);
   [[nodiscard]] bool elements_pass(std::size_t first) const;
   bool set_largest(SizeIndices& least);
   [[nodiscard]] Issue no_sizes();
@@ -77,6 +80,9 @@ class JointSearch {
     bool pass;
   };
   std::optional<Evaluated> last_;
+  // As long as the same checks are excused. What passes depends on the sizes alone, in all arrangements.
+  std::set<SizeIndices> failed_;
+  std::map<SizeIndices, bool> places_;  // of sizes, followed by the first of those whose places are checked
 };
 
 }  // namespace loadpath::project

@@ -11,7 +11,8 @@ void add_aims(CLI::App& app, SweepOptions& options) {
       ->type_name("RESULT");
   app.add_option("--maximise", options.maximise, "find the design with the maximum of a result")->type_name("RESULT");
   app.add_option("--such-that", options.such_that,
-                 "constraint to satisfy: \"every mode passes\" (default), \"rod passes\", \"rod.mass <= 5 kg\"")
+                 "constraint of --minimise, --maximise (\"every mode passes\" if omitted) and --pareto: \"rod "
+                 "passes\", \"rod.mass <= 5 kg\"")
       ->type_name("DEMAND")
       ->expected(1)
       ->take_all()

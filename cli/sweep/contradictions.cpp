@@ -16,8 +16,8 @@ std::string contradiction(const SweepOptions& options) {
     return "'--out', '--csv', '--hdf5' and '--pareto' are about a sweep over all points";
   if (!options.seek.empty() + (options.influence || options.sobol != 0) > 0 && options.quantile > 0.0)
     return "'--quantile' is about designs: it does not go with --seek or --influence";
-  if (options.minimise.empty() && options.maximise.empty() && !options.such_that.empty())
-    return "'--such-that' is a constraint of --minimise or --maximise";
+  if (options.minimise.empty() && options.maximise.empty() && options.pareto.empty() && !options.such_that.empty())
+    return "'--such-that' is a constraint of --minimise, --maximise or --pareto";
   if (options.out.empty() && (options.resume || !options.shard.empty() || !options.merge.empty() || options.no_columns))
     return "'--resume', '--shard', '--merge' and '--no-columns' are about a folder: name it with --out DIR";
   if (!options.merge.empty() && (!options.shard.empty() || options.resume))

@@ -26,17 +26,17 @@ project::Project PlannedSweep::read(std::vector<Issue>& issues) const {
 
 /// "m:min,u:max": names of results, each with an aim.
 bool PlannedSweep::read_aims(std::vector<Issue>& issues) {
+  const auto all = points.requested();
   for (std::size_t from = 0; !options.pareto.empty() && from <= options.pareto.size();) {
     const std::size_t to = std::min(options.pareto.find(',', from), options.pareto.size());
     const std::string part = options.pareto.substr(from, to - from);
     const std::size_t colon = part.rfind(':');
     const std::string name = part.substr(0, colon);
     const std::string aim = colon == std::string::npos ? "min" : part.substr(colon + 1);
-    const auto column =
-        std::find_if(points.columns.begin(), points.columns.end(), [&](const auto& c) { return c.name == name; });
-    if (column == points.columns.end() || (aim != "min" && aim != "max")) {
+    const auto column = std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.name == name; });
+    if (column == all.end() || (aim != "min" && aim != "max")) {
       std::vector<std::string> names;
-      for (const auto& c : points.columns) names.push_back(c.name);
+      for (const auto& c : all) names.push_back(c.name);
       issues.push_back({{"--pareto", 0, 0, 1},
                         "",
                         aim == "min" || aim == "max" ? say("'{1}' is not one of the results", name)
@@ -46,10 +46,36 @@ bool PlannedSweep::read_aims(std::vector<Issue>& issues) {
       return false;
     }
     keep.objectives.push_back(
-        {static_cast<std::size_t>(column - points.columns.begin()), aim == "min" ? sweep::Aim::min : sweep::Aim::max});
+        {static_cast<std::size_t>(column - all.begin()), aim == "min" ? sweep::Aim::min : sweep::Aim::max});
     from = to + 1;
   }
   return true;
+}
+
+/// The demands on a Pareto set, with a result for each behind those of the project.
+std::vector<project::Demand> PlannedSweep::ask_demands(std::vector<Issue>& issues) {
+  if (options.pareto.empty() || options.such_that.empty()) return {};
+  project::NamedResults results;
+  for (const project::Placed& result : project.sweep.results) results.push_back(project::name_and_text(result.text));
+  std::vector<project::Placed> such_that;
+  for (const std::string& demand : options.such_that) such_that.push_back({demand, {"--such-that", 1, 1, 1}});
+  std::vector<project::Demand> demands = project::demands_of(such_that, results, issues);
+  std::erase_if(demands, [](const project::Demand& demand) {  // it guides a search
+    return demand.kind == sweep::Constraint::Kind::at_most_one && demand.text.ends_with(" passes");
+  });
+  for (std::size_t i = 0; i < demands.size(); ++i)
+    project.sweep.results.push_back(
+        {"demand " + std::to_string(i + 1) + " = " + demands[i].column, {"--such-that", 1, 1, 1}});
+  return demands;
+}
+
+void PlannedSweep::read_demands(const std::vector<project::Demand>& demands, std::vector<Issue>& issues) {
+  points.demands = demands.size();
+  for (std::size_t i = 0; i < demands.size(); ++i) {
+    const std::size_t column = points.columns.size() - demands.size() + i;
+    project::check_sides({demands[i].text, {"--such-that", 1, 1, 1}}, points.columns[column], issues);
+    keep.demands.push_back({demands[i].text, column, demands[i].kind, demands[i].bound});
+  }
 }
 
 bool PlannedSweep::read_shard() {
@@ -65,7 +91,9 @@ void PlannedSweep::plan(std::vector<Issue>& issues) {
   project = read(issues);
   take_points(options.points, project.sweep);
   for (const std::string& result : options.results) project.sweep.results.push_back({result, {"--results", 1, 1, 1}});
+  const std::vector<project::Demand> demands = ask_demands(issues);
   if (!has_errors(issues)) points = project::plan_sweep(project, project.sweep, issues);
+  if (!has_errors(issues)) read_demands(demands, issues);
   keep.worst = options.worst;
   if (options.quantile > 0.0) keep.quantile = options.quantile;
   if (!has_errors(issues)) read_aims(issues);
@@ -78,6 +106,7 @@ bool PlannedSweep::prepare() {
     std::vector<terminal::SourceText> sources{
         {options.file, text}, {"--pareto", options.pareto}, source_of(options.settings)};
     for (const std::string& result : options.results) sources.push_back({"--results", result});
+    for (const std::string& demand : options.such_that) sources.push_back({"--such-that", demand});
     terminal::show_issues(issues, with_files_of(project, sources));
   }
   return !has_errors(issues) && read_shard();
@@ -92,6 +121,7 @@ std::string PlannedSweep::identity() const {
   add("samples", s.samples), add("seed", s.seed), add("latin", std::uint64_t{s.latin}), add("worst", keep.worst);
   add("strict", std::uint64_t{options.strict}), add("no-columns", std::uint64_t{options.no_columns});
   all += "pareto = " + options.pareto + "\n";
+  for (const auto& demand : keep.demands) all += "such that = " + demand.text + "\n";
   all += "quantile = " + format_number(keep.quantile, 17) + "\n";
   for (const auto& zip : s.zip) {
     all += "zip = ";

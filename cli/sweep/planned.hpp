@@ -43,6 +43,8 @@ class PlannedSweep {
  private:
   [[nodiscard]] project::Project read(std::vector<Issue>& issues) const;
   bool read_aims(std::vector<Issue>& issues);
+  std::vector<project::Demand> ask_demands(std::vector<Issue>& issues);
+  void read_demands(const std::vector<project::Demand>& demands, std::vector<Issue>& issues);
   bool read_shard();
 };
 

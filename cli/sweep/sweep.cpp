@@ -143,6 +143,8 @@ int Sweeping::tell(const project::SweepStatistics& found) const {
       std::cout << "\none point as a design: loadpath run " << file << " --point " << found.worst().front().index
                 << "\n";
   }
+  const bool is_whole = found.points() == sweep_.points.space.count();
+  if (is_whole && !sweep_.keep.demands.empty() && found.demands_met().all == 0) return not_passed;
   const auto headline = project::headline_of(sweep_.points, found);
   return headline ? exit_for(*headline) : int{passed};
 }

@@ -263,6 +263,41 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(desk.run({"sweep", "rare.toml", "--quiet"}).code == 0);
   }
 
+  TEST_CASE("the Pareto set of the designs that satisfy demands, the lightest of which --minimise finds, too") {
+    const Desk desk;
+    desk.put("a.toml",
+             "[project.sweep]\nresults = [\"area = pi/4*a.d^2\", \"u = a.utilisation\"]\nsamples = 200\nsampling = "
+             "\"latin\"\n[a]\n"
+             "calculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nT = { mean = \"200 N*m\", sd = \"5 %\" }\n"
+             "d = { from = \"30 mm\", to = \"40 mm\", step = \"0.5 mm\" }\n");
+    const auto front = [&](std::vector<std::string> more) {
+      more.insert(more.begin(), {"sweep", "a.toml", "--pareto", "area:min,u:min", "--quantile", "0.95"});
+      return desk.run(more);
+    };
+    const Ran best =
+        desk.run({"sweep", "a.toml", "--minimise", "area", "--such-that", "a passes", "--quantile", "0.95"});
+    const std::size_t at = best.out.find("a.d  ");
+    REQUIRE(at != std::string::npos);
+    const std::size_t from = best.out.find_first_not_of(' ', at + 3);
+    const std::string lightest = best.out.substr(from, best.out.find(" mm", from) - from);  // "33.5"
+    const Ran some = front({"--such-that", "a passes"});
+    CHECK(some.code == 0);
+    const std::string caption = "Pareto set of the designs that satisfy 'a passes' at 95 %: ";
+    REQUIRE_MESSAGE(contains(some.out, caption), some.out);
+    const std::string set = some.out.substr(some.out.find(caption));
+    CHECK_MESSAGE(set.find(lightest + " mm ") < set.find("mm²"), set);  // in the first row
+    CHECK(contains(front({"--such-that", "a passes", "--json"}).out, "\"met_by\": "));
+    const Ran none = front({"--such-that", "a passes", "--such-that", "area <= 800 mm^2"});
+    CHECK(none.code == 1);
+    CHECK_MESSAGE(contains(none.out, "None of 21 designs satisfies all demands: 'a passes' by "), none.out);
+    CHECK(contains(none.out, "'area <= 800 mm^2' by 4"));  // 30 to 31.5 mm: 707 to 779 mm²
+    CHECK(front({"--such-that", "area <= 800 mm"}).code == 2);
+    CHECK(front({"--such-that", "area"}).code == 2);
+    CHECK(contains(desk.run({"sweep", "a.toml", "--such-that", "a passes"}).error, "--maximise or --pareto"));
+    REQUIRE(front({"--such-that", "a passes", "--csv", "a.csv", "--quiet"}).code == 0);
+    CHECK(desk.get("a.csv").starts_with("point,a.d [mm],a.T [N*m],area [mm^2],u [-],state,utilisation\n"));
+  }
+
   TEST_CASE("errors in the arguments are reported, and nothing is written") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);

@@ -129,7 +129,7 @@ void write_point(JsonWriter& json, const SweepPlan& plan, std::uint64_t index, c
   for (std::size_t i = 0; i < inputs; ++i) json.key(plan.inputs[i].name), write_value(json, plan.inputs[i], values[i]);
   json.close_object();
   json.key("results").open_object();
-  for (std::size_t k = 0; k < plan.columns.size(); ++k) json.member(plan.columns[k].name, values[inputs + k]);
+  for (std::size_t k = 0; k < plan.requested().size(); ++k) json.member(plan.columns[k].name, values[inputs + k]);
   json.close_object();
 }
 
@@ -163,7 +163,7 @@ void write_design(JsonWriter& json, const SweepPlan& plan, const SweepStatistics
   }
   json.close_object();
   json.key("results").open_object();
-  for (std::size_t k = 0; k < plan.columns.size(); ++k) json.member(plan.columns[k].name, results[k]);
+  for (std::size_t k = 0; k < plan.requested().size(); ++k) json.member(plan.columns[k].name, results[k]);
   json.close_object();
 }
 
@@ -214,11 +214,28 @@ void write_designs(JsonWriter& json, const SweepPlan& plan, const SweepStatistic
   json.close_object();
 }
 
+/// The demands on a Pareto set, with the number of designs, or points, that satisfy each.
+void write_demands(JsonWriter& json, const SweepStatistics& found) {
+  const auto& demands = found.keep().demands;
+  if (demands.empty()) return;
+  json.key("demands").open_object();
+  json.key("each").open_array();
+  for (std::size_t i = 0; i < demands.size(); ++i) {
+    json.open_object();
+    json.member("such_that", demands[i].text);
+    json.member("met_by", whole(found.demands_met().of_each[i]));
+    json.close_object();
+  }
+  json.close_array();
+  json.member("all_met_by", whole(found.demands_met().all));
+  json.close_object();
+}
+
 void write_correlations(JsonWriter& json, const SweepPlan& plan, const SweepStatistics& found) {
   const sweep::Covariances all = found.covariances();
-  if (all.size() == 0 || plan.columns.empty()) return;
+  if (all.size() == 0 || plan.requested().empty()) return;
   json.key("correlations").open_object();
-  for (std::size_t k = 0; k < plan.columns.size(); ++k) {
+  for (std::size_t k = 0; k < plan.requested().size(); ++k) {
     json.key(plan.columns[k].name).open_object();
     for (std::size_t i = 0; i < plan.inputs.size(); ++i)
       json.member(plan.inputs[i].name, all.correlation(i, plan.inputs.size() + k));
@@ -239,7 +256,7 @@ std::string json_of(const project::Project& project, const SweepPlan& plan, cons
   json.member("seed", whole(project.sweep.seed));
   write_inputs(json, plan);
   json.key("results").open_array();
-  for (std::size_t k = 0; k < plan.columns.size(); ++k) write_result(json, plan.columns[k], found.results()[k]);
+  for (std::size_t k = 0; k < plan.requested().size(); ++k) write_result(json, plan.columns[k], found.results()[k]);
   json.close_array();
   write_modes(json, project, plan, found);
   json.key("refused").open_array();
@@ -252,6 +269,7 @@ std::string json_of(const project::Project& project, const SweepPlan& plan, cons
     json.close_object();
   }
   json.close_array();
+  write_demands(json, found);
   write_points(json, plan, found);
   if (plan.space.count() > plan.space.samples()) write_designs(json, plan, found);
   write_correlations(json, plan, found);

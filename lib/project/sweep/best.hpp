@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lib/project/sweep/blocks.hpp"
+#include "lib/project/sweep/demands.hpp"
 #include "lib/sweep/search/goal_seek.hpp"
 #include "lib/sweep/search/minimise.hpp"
 
@@ -19,14 +20,7 @@ struct BestAsked {
   bool maximise = false;
   std::vector<Placed> such_that;        // "every mode passes", "rod passes", "rod.mass <= 5 kg"; none: the first
   std::optional<double> quantile = {};  // probability of objective and constraints over the uncertain inputs
-  std::vector<std::pair<std::string, std::string>> results = {};  // by their names: "mass", "rod.A*rod.l*rho"
-};
-
-struct Demand {
-  std::string text;  // as requested
-  std::string column;
-  sweep::Constraint::Kind kind;
-  double bound = 1.0;
+  NamedResults results = {};
 };
 
 struct Best {

@@ -11,12 +11,6 @@ namespace {
 
 using Kind = SweptResult::Kind;
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 /// The fault of "m" in "m = rod.mass"; the columns that every sweep has keep their names.
 std::optional<Fault> wrong_name(const std::string& name, const std::string& text) {
   const auto fault = [&](Message message, Message hint) {
@@ -99,6 +93,12 @@ std::vector<SweptResult> verdict_columns(const Project& project) {
     }
   }
   return columns;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 std::pair<std::string, std::string> name_and_text(const std::string& column) {

@@ -27,6 +27,9 @@ struct SweptResult {
   std::string step, mode;  // empty: of all
 };
 
+/// Without blanks at its ends.
+std::string trimmed(const std::string& text);
+
 /// "m" and "rod.mass" of "m = rod.mass"; a text without a name is its own.
 std::pair<std::string, std::string> name_and_text(const std::string& column);
 

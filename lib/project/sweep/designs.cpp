@@ -71,19 +71,39 @@ void Designs::Open::clear() {
   tally.by_mode.assign(modes, 0);
   utilisation.clear();
   for (sweep::Values& values : results) values.clear();
+  met.assign(met.size(), 0);
 }
 
 void Designs::Open::merge(const Open& other) {
   tally.merge(other.tally);
   utilisation.merge(other.utilisation);
   for (std::size_t k = 0; k < results.size(); ++k) results[k].merge(other.results[k]);
+  for (std::size_t i = 0; i < met.size(); ++i) met[i] += other.met[i];
+}
+
+void DemandCounts::merge(const DemandCounts& other) {
+  for (std::size_t i = 0; i < of_each.size(); ++i) of_each[i] += other.of_each[i];
+  all += other.all;
+}
+
+/// Nothing where there are no demands.
+void DemandCounts::store(Writer& writer) const {
+  for (const std::uint64_t number : of_each) writer.put(number);
+  if (!of_each.empty()) writer.put(all);
+}
+
+void DemandCounts::load(Reader& reader) {
+  for (std::uint64_t& number : of_each) number = reader.number();
+  if (!of_each.empty()) all = reader.number();
 }
 
 /// Rows that are kept of designs without samples: each block brings some, which costs as much as solving its points.
 constexpr std::size_t most_single = 12;
 
 Designs::Designs(DesignsAsked asked)
-    : asked_(std::move(asked)), pareto_(asked_.aims.empty() ? sweep::Pareto() : sweep::Pareto(asked_.aims)) {
+    : asked_(std::move(asked)),
+      pareto_(asked_.aims.empty() ? sweep::Pareto() : sweep::Pareto(asked_.aims)),
+      demands_met_(asked_.demands.size()) {
   if (asked_.samples == 1) asked_.most = std::min(asked_.most, most_single);
   scratch_ = none();
 }
@@ -92,6 +112,7 @@ Designs::Open Designs::none() const {
   Open open;
   open.tally.by_mode.assign(asked_.modes, 0);
   open.results.resize(asked_.results);
+  open.met.assign(asked_.demands.size(), 0);
   return open;
 }
 
@@ -108,6 +129,10 @@ void Designs::take(const SolvedBlock& block, std::size_t first, std::size_t n, O
     tally.by_mode[mode] += count_in(part(asked_.results + 2 + 2 * mode), account::number(State::fail));
   open.utilisation.add(utilisations);
   for (std::size_t k = 0; k < asked_.results; ++k) open.results[k].add(part(k));
+  for (std::size_t i = 0; i < open.met.size(); ++i) {
+    const SweptDemand& demand = asked_.demands[i];
+    for (const double value : part(demand.column)) open.met[i] += demand.is_met(value) ? 1U : 0U;
+  }
 }
 
 void Designs::add(const SolvedBlock& block) {
@@ -193,12 +218,29 @@ void Designs::close(std::uint64_t design, const Open& open) {
   if (!is_kept && asked_.aims.empty()) return;
   DesignRow row{design, tally, open.utilisation.quantile(0.5), open.utilisation.quantile(asked_.quantile), {}};
   for (std::size_t k = 0; k < asked_.results; ++k) row.results.push_back(open.results[k].quantile(level_of(k)));
-  if (!asked_.aims.empty()) {
-    std::vector<const double*> objectives;
-    for (const std::size_t column : asked_.columns) objectives.push_back(&row.results[column]);
-    pareto_.add(design, objectives, 1, [&](std::size_t) { return row.results; });
-  }
+  if (!asked_.aims.empty() && satisfies_demands(open)) add_to_front(row);
   if (is_kept) keep(key, std::move(row));
+}
+
+/// Whether a design satisfies all demands, which is counted.
+bool Designs::satisfies_demands(const Open& open) {
+  bool all = true;
+  for (std::size_t i = 0; i < asked_.demands.size(); ++i) {
+    const SweptDemand& demand = asked_.demands[i];
+    const sweep::Values& values = open.results[demand.column];
+    const bool is_met = demand.is_met(open.met[i], values.count(), open.tally.samples, values.quantile(asked_.quantile),
+                                      asked_.quantile);
+    demands_met_.of_each[i] += is_met ? 1U : 0U;
+    all = all && is_met;
+  }
+  demands_met_.all += all ? 1U : 0U;
+  return all;
+}
+
+void Designs::add_to_front(const DesignRow& row) {
+  std::vector<const double*> objectives;
+  for (const std::size_t column : asked_.columns) objectives.push_back(&row.results[column]);
+  pareto_.add(row.design, objectives, 1, [&](std::size_t) { return row.results; });
 }
 
 Designs::Key Designs::key_of(std::uint64_t design, const DesignTally& tally, double first) const {
@@ -228,6 +270,7 @@ void Designs::merge(const Designs& other) {
   counts_.invalid += other.counts_.invalid;
   for (const auto& [key, row] : other.rows_) keep(key, row);
   pareto_.merge(other.pareto_);
+  demands_met_.merge(other.demands_met_);
   for (const auto& [design, theirs] : other.open_) {
     Open& open = open_.try_emplace(design, none()).first->second;
     open.merge(theirs);
@@ -262,8 +305,10 @@ void Designs::store(Writer& writer) const {
     store_tally(open.tally, writer);
     open.utilisation.store(writer);
     for (const sweep::Values& values : open.results) values.store(writer);
+    for (const std::uint64_t number : open.met) writer.put(number);
   }
   pareto_.store(writer);
+  demands_met_.store(writer);
 }
 
 void Designs::load(Reader& reader) {
@@ -289,8 +334,10 @@ void Designs::load(Reader& reader) {
     load_tally(open.tally, reader);
     open.utilisation.load(reader);
     for (sweep::Values& values : open.results) values.load(reader);
+    for (std::uint64_t& number : open.met) number = reader.number();
   }
   pareto_.load(reader);
+  demands_met_.load(reader);
 }
 
 }  // namespace loadpath::project

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "lib/project/sweep/blocks.hpp"
+#include "lib/project/sweep/demands.hpp"
 #include "lib/sweep/statistics/pareto.hpp"
 #include "lib/sweep/statistics/summary.hpp"
 #include "lib/sweep/statistics/values.hpp"
@@ -45,6 +46,17 @@ struct DesignCounts {
   [[nodiscard]] std::uint64_t valid() const { return all_pass + some_fail + all_fail + not_assessed; }
 };
 
+/// The number of designs, or of points, that satisfy each demand on a Pareto set, and all of them.
+struct DemandCounts {
+  std::vector<std::uint64_t> of_each;
+  std::uint64_t all = 0;
+
+  explicit DemandCounts(std::size_t demands = 0) : of_each(demands) {}
+  void merge(const DemandCounts& other);
+  void store(sweep::Writer& writer) const;
+  void load(sweep::Reader& reader);
+};
+
 /// What is asked of the designs.
 struct DesignsAsked {
   std::uint64_t samples = 1;  // of each design; 0: there is one only, and nothing to compare
@@ -53,6 +65,7 @@ struct DesignsAsked {
   std::size_t most = 1000;                // rows that are kept
   std::vector<std::size_t> columns = {};  // objectives of a Pareto set: indices of results
   std::vector<sweep::Aim> aims = {};      // of each
+  std::vector<SweptDemand> demands = {};  // on the designs of this set
 };
 
 class Designs {
@@ -67,8 +80,10 @@ class Designs {
   [[nodiscard]] const DesignCounts& counts() const { return counts_; }
   /// First those that always pass, by the first result; then by the share of samples that fail or are not assessed.
   [[nodiscard]] std::vector<DesignRow> rows() const;
-  /// Of the quantiles of the objectives; the index of a point is that of its design.
+  /// Of the quantiles of the objectives, of the designs that satisfy all demands; the index of a point is that of its
+  /// design.
   [[nodiscard]] std::vector<sweep::Pareto::Point> pareto() const { return pareto_.points(); }
+  [[nodiscard]] const DemandCounts& demands_met() const { return demands_met_; }
   [[nodiscard]] const DesignsAsked& asked() const { return asked_; }
 
   void store(sweep::Writer& writer) const;
@@ -80,6 +95,7 @@ class Designs {
     DesignTally tally;
     sweep::Values utilisation;
     std::vector<sweep::Values> results;
+    std::vector<std::uint64_t> met;  // samples that meet each demand
 
     void clear();
     void merge(const Open& other);
@@ -91,6 +107,8 @@ class Designs {
   void add_part(const SolvedBlock& block, std::uint64_t design, std::size_t first, std::size_t n);
   void take(const SolvedBlock& block, std::size_t first, std::size_t n, Open& open) const;
   void close(std::uint64_t design, const Open& open);
+  bool satisfies_demands(const Open& open);
+  void add_to_front(const DesignRow& row);
   void count(const DesignTally& tally);
   void keep(const Key& key, DesignRow row);
   [[nodiscard]] Key key_of(std::uint64_t design, const DesignTally& tally, double first) const;
@@ -103,6 +121,7 @@ class Designs {
   std::map<Key, DesignRow> rows_;
   std::map<std::uint64_t, Open> open_;  // by number
   sweep::Pareto pareto_;
+  DemandCounts demands_met_;
   Open scratch_;
   std::vector<Key> candidates_;
 };

@@ -161,7 +161,7 @@ sweep::Space Planning::space() {
 
 std::vector<std::size_t> SweepPlan::beside_inputs() const {
   std::vector<std::size_t> beside;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
+  for (std::size_t k = 0; k < requested().size(); ++k) {
     if (input_named(inputs, columns[k].name) == inputs.end()) beside.push_back(k);
   }
   return beside;

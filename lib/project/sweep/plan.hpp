@@ -6,6 +6,7 @@
 #include "lib/project/sweep/columns.hpp"
 #include "lib/sweep/point/space.hpp"
 
+#include <span>
 #include <vector>
 
 namespace loadpath::project {
@@ -13,9 +14,13 @@ namespace loadpath::project {
 struct SweepPlan {
   std::vector<SweptInput> inputs;      // in the order of the file
   std::vector<std::size_t> variables;  // variable of the space for each input
-  std::vector<SweptResult> columns;    // as requested
+  std::vector<SweptResult> columns;    // as requested, then those of demands
+  std::size_t demands = 0;             // columns of demands, which no table shows
   sweep::Space space;
 
+  [[nodiscard]] std::span<const SweptResult> requested() const {
+    return std::span(columns).first(columns.size() - demands);
+  }
   /// The columns of a table of points in addition to the inputs, as indices of the results: a result that is an input
   /// is omitted.
   [[nodiscard]] std::vector<std::size_t> beside_inputs() const;

@@ -45,6 +45,7 @@ DesignsAsked asked_of(std::size_t results, std::size_t verdicts, std::uint64_t s
   if (samples < 2) return asked;
   for (const Objective& objective : keep.objectives) asked.columns.push_back(objective.column);
   asked.aims = aims_of(keep);
+  asked.demands = keep.demands;
   return asked;
 }
 
@@ -92,6 +93,7 @@ SweepStatistics::SweepStatistics(std::size_t inputs, std::size_t results, std::s
       tallies_(verdicts / 2),
       worst_(keep_.worst),
       pareto_(keep_.objectives.empty() || samples > 1 ? sweep::Pareto() : sweep::Pareto(aims_of(keep_))),
+      demands_met_(keep_.demands.size()),
       designs_(asked_of(results, verdicts, samples, keep_)) {
   if (inputs + results > most_correlated) covariances_ = {};
 }
@@ -111,15 +113,33 @@ void SweepStatistics::add(const SolvedBlock& block) {
   const auto row = [&](std::size_t i) { return row_of(block, n, i); };
   worst_.add(block.first, block.results[n + 1], row);
   designs_.add(block);
-  if (!keep_.objectives.empty() && designs_.asked().samples < 2) {
-    std::vector<const double*> objectives;
-    for (const Objective& objective : keep_.objectives) objectives.push_back(block.results[objective.column].data());
-    pareto_.add(block.first, objectives, block.count, row);
-  }
+  if (!keep_.objectives.empty() && designs_.asked().samples < 2) add_to_front(block);
   std::vector<const double*> columns;
   for (const auto& column : block.inputs) columns.push_back(column.data());
   for (std::size_t k = 0; k < n; ++k) columns.push_back(block.results[k].data());
   if (columns.size() <= most_correlated) covariances_.add(number, sweep::Covariances(columns, block.count));
+}
+
+/// A point that does not satisfy a demand has no objective.
+void SweepStatistics::add_to_front(const SolvedBlock& block) {
+  std::vector<const double*> objectives;
+  for (const Objective& objective : keep_.objectives) objectives.push_back(block.results[objective.column].data());
+  std::vector<double> demanded;
+  if (!keep_.demands.empty()) {
+    demanded = block.results[keep_.objectives.front().column];
+    objectives.front() = demanded.data();
+  }
+  for (std::size_t i = 0; i < demanded.size(); ++i) {
+    bool all = true;
+    for (std::size_t k = 0; k < keep_.demands.size(); ++k) {
+      const bool is_met = keep_.demands[k].is_met(block.results[keep_.demands[k].column][i]);
+      demands_met_.of_each[k] += is_met ? 1U : 0U;
+      all = all && is_met;
+    }
+    demands_met_.all += all ? 1U : 0U;
+    if (!all) demanded[i] = NAN;
+  }
+  pareto_.add(block.first, objectives, block.count, [&](std::size_t i) { return row_of(block, results_.size(), i); });
 }
 
 DesignCounts SweepStatistics::design_counts() const {
@@ -163,6 +183,7 @@ bool SweepStatistics::merge(const SweepStatistics& other) {
   }
   worst_.merge(other.worst_);
   pareto_.merge(other.pareto_);
+  demands_met_.merge(other.demands_met_);
   designs_.merge(other.designs_);
   return true;
 }
@@ -185,6 +206,7 @@ void SweepStatistics::store(Writer& writer) const {
   }
   worst_.store(writer);
   pareto_.store(writer);
+  demands_met_.store(writer);
   designs_.store(writer);
   covariances_.store(writer);
 }
@@ -208,6 +230,7 @@ void SweepStatistics::load(Reader& reader) {
   }
   worst_.load(reader);
   pareto_.load(reader);
+  demands_met_.load(reader);
   designs_.load(reader);
   covariances_.load(reader);
 }

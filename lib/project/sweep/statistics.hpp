@@ -29,6 +29,7 @@ struct Objective {
 struct Keep {
   std::size_t worst = 5;              // points with the largest utilisation
   std::vector<Objective> objectives;  // none: no Pareto set
+  std::vector<SweptDemand> demands;   // on its designs
   double quantile = 0.99;             // of the samples of a design
 };
 
@@ -77,6 +78,10 @@ class SweepStatistics {
   /// Of points; with uncertain inputs, see designs().
   [[nodiscard]] std::vector<sweep::Pareto::Point> pareto() const { return pareto_.points(); }
   [[nodiscard]] const Designs& designs() const { return designs_; }
+  /// Of designs, or of points if each is a design of its own.
+  [[nodiscard]] const DemandCounts& demands_met() const {
+    return designs_.asked().samples > 1 ? designs_.demands_met() : demands_met_;
+  }
   [[nodiscard]] DesignCounts design_counts() const;
   /// Points of designs of which every sample is refused: invalid designs.
   [[nodiscard]] std::uint64_t points_of_invalid() const;
@@ -88,6 +93,8 @@ class SweepStatistics {
   void load(sweep::Reader& reader);
 
  private:
+  void add_to_front(const SolvedBlock& block);
+
   std::uint64_t points_ = 0;
   Keep keep_;
   std::vector<sweep::Summary> results_;
@@ -95,6 +102,7 @@ class SweepStatistics {
   std::map<std::string, Refused> refusals_;
   sweep::Worst worst_;
   sweep::Pareto pareto_;
+  DemandCounts demands_met_;
   Designs designs_;
   sweep::Forest<sweep::Covariances> covariances_;
 };

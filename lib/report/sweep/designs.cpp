@@ -158,6 +158,15 @@ std::string of_scattering(const SweepStatistics& found) {
   return text;
 }
 
+Message caption_of_front(const SweepStatistics& found, std::size_t size) {
+  const std::string demands = demands_in_words(found);
+  const Message designs =
+      demands.empty() ? say("Pareto set of the designs") : say("Pareto set of the designs that satisfy {1}", demands);
+  if (!scatters(found)) return say("{1}: {2}", designs, number(size));
+  return say("{1} at {2}: {3}", designs, format_number(100.0 * found.designs().asked().quantile, 6) + " %",
+             number(size));
+}
+
 /// Of the columns behind the results.
 Message caption_of(std::size_t rows, std::size_t most, bool scatters) {
   const Message designs = rows <= most ? say("Designs") : say("Designs: the first {1}", number(most));
@@ -186,10 +195,28 @@ Table design_table(const SweepPlan& plan, const SweepStatistics& found, std::siz
   return table;
 }
 
+std::string demands_in_words(const SweepStatistics& found) {
+  std::string all;
+  for (const project::SweptDemand& demand : found.keep().demands)
+    all += (all.empty() ? "'" : ", '") + demand.text + "'";
+  return all;
+}
+
+std::optional<Paragraph> unmet_demands(const SweepStatistics& found) {
+  const auto& demands = found.keep().demands;
+  if (demands.empty() || found.demands_met().all > 0) return std::nullopt;
+  std::string each;
+  const project::DesignCounts counts = found.design_counts();
+  for (std::size_t i = 0; i < demands.size(); ++i)
+    each += (each.empty() ? "'" : ", '") + demands[i].text + "' by " + number(found.demands_met().of_each[i]);
+  return Paragraph{say("None of {1} designs satisfies all demands: {2}", number(counts.valid()), each),
+                   Paragraph::Tone::warning};
+}
+
 Table front_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
-  const auto front = found.designs().pareto();
-  const std::string level = format_number(100.0 * found.designs().asked().quantile, 6) + " %";
-  Table table{say("Pareto set of the designs at {1}: {2}", level, number(front.size())), {}, {}};
+  const auto front = scatters(found) ? found.designs().pareto() : found.pareto();
+  const std::size_t before = scatters(found) ? 0 : plan.inputs.size();  // values before the results
+  Table table{caption_of_front(found, front.size()), {}, {}};
   for (const std::size_t i : chosen_inputs(plan)) table.head.push_back(say("{1}", plan.inputs[i].name));
   for (const std::size_t k : plan.beside_inputs()) table.head.push_back(say("{1}", plan.columns[k].name));
   for (std::size_t i = 0; i < std::min(front.size(), most_in_front); ++i) {
@@ -198,7 +225,7 @@ Table front_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
     for (const std::size_t k : chosen_inputs(plan)) cells.emplace_back(written(plan.inputs[k], values[k]));
     for (const std::size_t k : plan.beside_inputs()) {
       const std::string& unit = plan.columns[k].unit;
-      cells.emplace_back(Quantity{front[i].values[k], unit.empty() ? std::string("-") : unit, 4});
+      cells.emplace_back(Quantity{front[i].values[before + k], unit.empty() ? std::string("-") : unit, 4});
     }
     table.rows.push_back(std::move(cells));
   }
@@ -228,7 +255,11 @@ std::vector<Block> sweep_answer(const Project& project, const SweepPlan& plan, c
     blocks.emplace_back(note(say("Invalid: {1} of {2} points, {3}: {4}", number(refused.count), number(found.points()),
                                  refused.key, refused.message)));
   if (const Message governing = governing_of(project, found); !governing.empty()) blocks.emplace_back(note(governing));
-  if (!found.keep().objectives.empty() && scatters(found)) blocks.emplace_back(front_of_designs(plan, found));
+  if (found.keep().objectives.empty()) return blocks;
+  if (auto unmet = unmet_demands(found))
+    blocks.emplace_back(std::move(*unmet));
+  else
+    blocks.emplace_back(front_of_designs(plan, found));
   return blocks;
 }
 

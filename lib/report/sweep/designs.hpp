@@ -4,6 +4,7 @@
 #include "lib/project/sweep/statistics.hpp"
 #include "lib/report/document.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,15 @@ std::string count_of_designs(const project::SweepPlan& plan, const project::Swee
 /// At most `most` of them, those that always pass first.
 Table design_table(const project::SweepPlan& plan, const project::SweepStatistics& found, std::size_t most);
 
-/// The designs that no other beats in every objective, at the quantile of each objective.
+/// The designs that no other beats in every objective, of those that satisfy the demands; with scatter at the quantile
+/// of each objective.
 Table front_of_designs(const project::SweepPlan& plan, const project::SweepStatistics& found);
+
+/// "'strut passes', 'mass <= 5 kg'": the demands on a Pareto set.
+std::string demands_in_words(const project::SweepStatistics& found);
+
+/// Where no design satisfies all demands on a Pareto set: how many satisfy each.
+std::optional<Paragraph> unmet_demands(const project::SweepStatistics& found);
 
 /// What a sweep prints if no more is asked for.
 std::vector<Block> sweep_answer(const project::Project& project, const project::SweepPlan& plan,

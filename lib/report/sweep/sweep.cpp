@@ -73,7 +73,7 @@ Table result_table(const SweepPlan& plan, const SweepStatistics& found) {
               {say("result"), say("mean"), say("sd"), say("least"), say("at point"), say("5 %"), say("median"),
                say("95 %"), say("largest"), say("at point")},
               {}};
-  for (std::size_t k = 0; k < plan.columns.size(); ++k) {
+  for (std::size_t k = 0; k < plan.requested().size(); ++k) {
     const SweptResult& column = plan.columns[k];
     const sweep::Summary& summary = found.results()[k];
     const sweep::Moments moments = summary.moments();
@@ -153,9 +153,12 @@ Table worst_table(const SweepPlan& plan, const SweepStatistics& found) {
 
 Table pareto_table(const SweepPlan& plan, const SweepStatistics& found) {
   const auto points = found.pareto();
-  Table table = table_of_points(plan, points.size() > most_rows ? say("Pareto set: {1} points, {2} of them",
-                                                                      number(points.size()), number(most_rows))
-                                                                : say("Pareto set: {1} points", number(points.size())));
+  Message caption = points.size() > most_rows
+                        ? say("Pareto set: {1} points, {2} of them", number(points.size()), number(most_rows))
+                        : say("Pareto set: {1} points", number(points.size()));
+  if (!found.keep().demands.empty())
+    caption = say("{1}, of those that satisfy {2}", std::move(caption), demands_in_words(found));
+  Table table = table_of_points(plan, std::move(caption));
   const std::size_t shown = std::min(points.size(), most_rows);
   for (std::size_t i = 0; i < shown; ++i) {
     const std::size_t which = shown == points.size() ? i : i * (points.size() - 1) / (shown - 1);
@@ -167,12 +170,12 @@ Table pareto_table(const SweepPlan& plan, const SweepStatistics& found) {
 /// The share of each uncertain input in the scatter of a result, if they are uncorrelated and act linearly.
 std::optional<Table> correlation_table(const SweepPlan& plan, const SweepStatistics& found) {
   const sweep::Covariances all = found.covariances();
-  if (!is_sample(plan) || plan.columns.empty() || all.size() == 0) return std::nullopt;
+  if (!is_sample(plan) || plan.requested().empty() || all.size() == 0) return std::nullopt;
   Table table{say("Correlation of inputs and results"), {say("input")}, {}};
-  for (const SweptResult& column : plan.columns) table.head.push_back(say("{1}", column.name));
+  for (const SweptResult& column : plan.requested()) table.head.push_back(say("{1}", column.name));
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
     std::vector<Cell> row{plan.inputs[i].name};
-    for (std::size_t k = 0; k < plan.columns.size(); ++k) {
+    for (std::size_t k = 0; k < plan.requested().size(); ++k) {
       const double r = all.correlation(i, plan.inputs.size() + k);
       row.emplace_back(std::isnan(r) ? std::string("-") : format_number(r, 3));
     }
@@ -238,16 +241,18 @@ Document sweep_document(const Project& project, const SweepPlan& plan, const Swe
   blocks.emplace_back(conclusion(plan, found));
   for (Block& block : sweep_charts(project, plan, found, drawn)) blocks.push_back(std::move(block));
   if (!plan.inputs.empty()) blocks.emplace_back(input_table(plan));
-  if (!plan.columns.empty()) blocks.emplace_back(result_table(plan, found));
+  if (!plan.requested().empty()) blocks.emplace_back(result_table(plan, found));
   blocks.emplace_back(mode_table(project, plan, found));
   if (!found.refusals().empty()) blocks.emplace_back(refused_table(found));
   if (has_scattering_designs(plan)) blocks.emplace_back(design_table(plan, found, most_designs));
   if (!found.worst().empty()) blocks.emplace_back(worst_table(plan, found));
   const bool scatters = has_scattering_designs(plan);
-  if (!found.keep().objectives.empty())
+  if (auto unmet = unmet_demands(found))
+    blocks.emplace_back(std::move(*unmet));
+  else if (!found.keep().objectives.empty())
     blocks.emplace_back(scatters ? front_of_designs(plan, found) : pareto_table(plan, found));
   if (auto table = correlation_table(plan, found)) blocks.emplace_back(std::move(*table));
-  for (std::size_t k = 0; k < plan.columns.size(); ++k) {
+  for (std::size_t k = 0; k < plan.requested().size(); ++k) {
     if (found.results()[k].count() > 1 && found.results()[k].min().value < found.results()[k].max().value)
       blocks.emplace_back(histogram_of(plan.columns[k], found.results()[k], k));
   }

@@ -248,6 +248,18 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK_FALSE(warns(100, std::nullopt));
   }
 
+  TEST_CASE("a neighbour names its mode that is not assessed") {
+    const std::string text =  // 600 MPa are more than C45E has; 10 mm yield by any strength
+        "[a]\ncalculator = \"shaft.torsion\"\nmaterial = \"C45E\"\ntau_adm = \"600 MPa\"\nT = \"200 N*m\"\n"
+        "d = [\"10 mm\", \"12 mm\", \"34 mm\"]\n";
+    std::vector<Issue> issues;
+    const auto best = project::find_best({reader(text)}, {asked("a.d"), false, {}, {}, {}}, 10, 1, issues);
+    REQUIRE(best);
+    CHECK_FALSE(best->optimum.allowed);
+    REQUIRE(best->lacks.size() == 1);
+    CHECK_MESSAGE(contains(best->lacks[0].text(), "is not assessed"), best->lacks[0].text());
+  }
+
   TEST_CASE("an objective and a requirement may have a name") {
     const std::string text = tube + sizes + "P = \"40 kN\"\n";
     const auto find = [&](const std::string& objective, const std::string& demand) {

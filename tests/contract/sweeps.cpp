@@ -1,9 +1,13 @@
-// A point of a sweep is the machine with these values typed, to the bit: results, verdicts, what is refused. For every
-// calculator, and at 200 points, or 40 of them, of every example, some of their numbers varied at random.
+// A point of a sweep is the machine with these values typed, to the bit: results, verdicts, the governing mode, what is
+// refused. For every calculator, and at 200 points, or 40 of them, of every example, some of their numbers varied at
+// random.
 #include "calculators/catalogue.hpp"
+#include "lib/account/conclusion.hpp"
+#include "lib/numerics/magnitude.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
 #include "lib/project/sweep/variants.hpp"
+#include "lib/report/conclusion.hpp"
 #include "lib/sweep/point/uniform.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/parts.hpp"
@@ -140,6 +144,38 @@ double alone(project::Project& project, const project::SweptResult& column, bool
   return most;
 }
 
+/// The mode with the highest utilisation by the columns of a point. Which of them are limits of shape, that govern only
+/// where they fail, the machine knows.
+std::string governing_in(const std::vector<project::SweptResult>& columns, const account::Modes& modes,
+                         const std::vector<std::vector<double>>& out, std::size_t point) {
+  std::string governing;
+  double most = -1.0;
+  for (const account::Mode& known : modes) {
+    const auto value = [&](project::SweptResult::Kind kind) {
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        if (columns[k].kind == kind && columns[k].step == known.step && columns[k].mode == known.id)
+          return out[k][point];
+      }
+      return std::nan("");
+    };
+    const double state = value(project::SweptResult::Kind::state);
+    if (!(state >= 0.0)) continue;
+    account::Mode mode = known;
+    mode.state = account::state_of(state);
+    const double used = value(project::SweptResult::Kind::utilisation);
+    if (!account::is_ranked(mode) || !numerics::exceeds(used, most)) continue;
+    most = used;
+    governing = mode.step + ": " + mode.id;
+  }
+  return governing;
+}
+
+/// As a report of the machine names it.
+std::string governing_of(const account::Modes& modes) {
+  const account::Mode* const mode = report::most_utilised(modes);
+  return mode == nullptr ? std::string() : mode->step + ": " + mode->id;
+}
+
 double value_of(const project::SweptInput& input, std::size_t point, double p) {
   return input.distribution ? input.distribution->quantile(p) : input.axis.at(point % input.axis.size());
 }
@@ -190,6 +226,9 @@ void compare(const std::string& text, const std::string& file, Points points_ask
       CHECK_MESSAGE(same(out[k][i], here), column.text, " at point ", i, ": ", out[k][i], " and ", here);
       if (!same(out[k][i], here)) return;
     }
+    if (has_errors(issues)) continue;
+    const account::Modes modes = project::modes(machine);
+    CHECK_MESSAGE(governing_in(variants.columns(), modes, out, i) == governing_of(modes), "at point ", i);
   }
 }
 

@@ -36,11 +36,7 @@ std::vector<std::string> sizes_in_common(const Members& members) {
 }
 
 /// A step with a size of the body that has a value.
-struct Sized {
-  Step* step;
-  double si;
-  bool is_given;
-};
+using Sized = SharedSize::Of;
 
 std::vector<Sized> sized_of(const Members& members, const std::string& key) {
   std::vector<Sized> all;
@@ -53,8 +49,6 @@ std::vector<Sized> sized_of(const Members& members, const std::string& key) {
   }
   return all;
 }
-
-bool is_same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
 
 /// The required size of the body: a given one, else the largest that was found.
 const Sized& required(const std::vector<Sized>& all) {
@@ -73,13 +67,12 @@ Issue contradiction(const std::string& body, const std::string& key, const Sized
 }
 
 /// Whether a search of the body has to be repeated.
-bool hand_out(const std::string& body, const std::string& key, const Members& members, std::vector<Issue>& issues) {
-  const std::vector<Sized> all = sized_of(members, key);
-  if (all.size() < 2) return false;
+bool hand_out(const SharedSize& size, std::vector<Issue>& issues) {
+  const auto& [body, key, all] = size;
   const Sized& whole = required(all);
   bool changed = false;
   for (const Sized& one : all) {
-    if (is_same(one.si, whole.si)) continue;
+    if (is_one_size(one.si, whole.si)) continue;
     if (one.is_given) {
       issues.push_back(contradiction(body, key, whole, one));
     } else {
@@ -156,12 +149,23 @@ void check_bodies(const Project& project, std::vector<Issue>& issues) {
   }
 }
 
+bool is_one_size(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
+
+std::vector<SharedSize> shared_sizes(const Project& project) {
+  std::vector<SharedSize> sizes;
+  for (const auto& [body, members] : bodies_of(project)) {
+    for (const std::string& key : sizes_in_common(members)) {
+      SharedSize size{body, key, sized_of(members, key)};
+      if (size.of.size() > 1) sizes.push_back(std::move(size));
+    }
+  }
+  return sizes;
+}
+
 bool hand_out_sizes(Project& project, std::vector<Issue>& issues) {
   bool changed = false;
-  for (const auto& [body, members] : bodies_of(project)) {
-    check_rows(body, members, found_row, issues);
-    for (const std::string& key : sizes_in_common(members)) changed = hand_out(body, key, members, issues) || changed;
-  }
+  for (const auto& [body, members] : bodies_of(project)) check_rows(body, members, found_row, issues);
+  for (const SharedSize& size : shared_sizes(project)) changed = hand_out(size, issues) || changed;
   return changed && !has_errors(issues);
 }
 

@@ -40,21 +40,18 @@ double value_of(const Step& step, const FieldInfo& field) {
   return unknown;
 }
 
-/// What a step states of its body under one name.
-struct Statement {
-  Step* step;
-  const FieldInfo* input;  // null: it follows from other inputs
-  double value;            // of the input
-  double measure;          // by the result of that name, else the input with the factor on it
-};
-
-double measured(const Step& step, const std::string& name, const Statement& by_input) {
-  if (step.input().calculator->result == nullptr) return unknown;
+/// The result of the name that has a value; null if there is none.
+const FieldInfo* result_of(const Step& step, const std::string& name) {
+  if (step.input().calculator->result == nullptr) return nullptr;
   for (const FieldInfo& field : step.input().calculator->result->fields) {
-    if (!is_named(field.shared_as, name)) continue;
-    const double result = std::abs(value_in(step.account().results, field.key));
-    if (!std::isnan(result)) return result;
+    if (is_named(field.shared_as, name) && !std::isnan(value_in(step.account().results, field.key))) return &field;
   }
+  return nullptr;
+}
+
+double measured(const Step& step, const Statement& by_input) {
+  if (step.input().calculator->result == nullptr) return unknown;
+  if (by_input.result != nullptr) return std::abs(value_in(step.account().results, by_input.result->key));
   if (by_input.input == nullptr || !by_input.input->is_load) return std::abs(by_input.value);
   const double factor = value_in(step.account().inputs, "K_A");
   return std::abs(by_input.value) * (std::isnan(factor) ? 1.0 : factor);
@@ -71,7 +68,8 @@ Statement statement_of(Step& step, const std::string& name) {
     const bool is_weaker = made.input != nullptr && is_given(step, *made.input) && !is_given(step, field);
     if (!std::isnan(value) && !is_weaker) made.input = &field, made.value = value;
   }
-  made.measure = measured(step, name, made);
+  made.result = result_of(step, name);
+  made.measure = measured(step, made);
   return made;
 }
 
@@ -228,6 +226,25 @@ bool hand_out_to(const Project& project, std::map<Step*, BodyFacts>& facts) {
 }
 
 }  // namespace
+
+std::vector<BodyStatements> statements_of_bodies(const Project& project) {
+  std::vector<BodyStatements> stated;
+  for (const auto& [body, members] : bodies_of(project)) {
+    for (const std::string& name : names_in(members)) stated.push_back({name, statements_of(members, name)});
+  }
+  return stated;
+}
+
+bool agree(const BodyStatements& stated) {
+  const std::vector<Statement>& all = stated.all;
+  if (is_bore(stated.name)) {
+    return std::all_of(all.begin(), all.end(), [&](const Statement& one) { return is_one_bore(all.front(), one); });
+  }
+  return std::all_of(all.begin(), all.end(), [&](const Statement& own) {
+    return std::none_of(all.begin(), all.end(),
+                        [&](const Statement& other) { return other.step != own.step && is_surpassed(own, other); });
+  });
+}
 
 bool hand_out_facts(Project& project, std::vector<Issue>& issues) {
   std::map<Step*, BodyFacts> facts;

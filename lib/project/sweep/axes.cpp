@@ -93,6 +93,11 @@ std::set<std::string> affected_steps(const Project& project, const std::vector<S
     if (input.is_literal) affected.insert(split_step(input.name).first);  // "values"
     for (const SweptInput::Target& target : input.targets) affected.insert(target.step->name());
   }
+  add_takers(project, affected);
+  return affected;
+}
+
+void add_takers(const Project& project, std::set<std::string>& affected) {
   for (const std::size_t i : project.order) {  // each after those that it refers to
     const Step& step = *project.steps[i];
     const auto visit = [&](const std::string& path) {
@@ -101,7 +106,6 @@ std::set<std::string> affected_steps(const Project& project, const std::vector<S
     for_each_reference(step.input().reading, visit);
     for_each_compared(step.input(), visit);
   }
-  return affected;
 }
 
 }  // namespace loadpath::project

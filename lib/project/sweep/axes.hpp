@@ -32,6 +32,8 @@ std::vector<SweptInput> swept_inputs(Project& project);
 
 /// The names of the steps that the inputs affect, directly or through other steps.
 std::set<std::string> affected_steps(const Project& project, const std::vector<SweptInput>& inputs);
+/// Adds the steps that take values of those.
+void add_takers(const Project& project, std::set<std::string>& affected);
 
 /// Gives the input a value in SI, or the number of a word. False, and an issue, where a field does not allow it: of a
 /// range all values have been checked, of a sample none.

@@ -134,12 +134,6 @@ bool leaves_modes(const Project& project) {
   });
 }
 
-/// Whether steps share the size of a part.
-bool has_bodies(const Project& project) {
-  return std::any_of(project.steps.begin(), project.steps.end(),
-                     [](const auto& step) { return !step->input().body.text.empty(); });
-}
-
 }  // namespace
 
 /// Solves the first valid one of a few points; false if there is none.
@@ -154,8 +148,7 @@ bool Variants::solve_first(std::span<const double* const> in, std::size_t n) {
 /// Set up at the first point that is solved; without one the next block is tried.
 void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   const bool solved_twice = project_.passes.size() != project_.order.size() || !project_.beforehand.empty();
-  const bool hangs_on_others =
-      leaves_modes(project_) || leaves_elements(project_) || solved_twice || has_bodies(project_);
+  const bool hangs_on_others = leaves_modes(project_) || leaves_elements(project_) || solved_twice;
   if (!hangs_on_others && !solve_first(in, n)) return;
   way_ = !hangs_on_others && find_kernels() ? Way::columns : Way::alone;
 }
@@ -185,8 +178,11 @@ bool compares_with_others(const Step& step, const Project& project, const std::s
 
 /// Kernels of all steps; false if one of them takes more from others than numbers, or columns would bring no gain.
 bool Variants::find_kernels() {
+  const std::set<std::string> affected = affected_with_bodies(project_, axes_);
+  if (!bodies_.lay_out(project_, affected)) return false;
   std::set<std::string> referred = wanted_.taken;
   referred.insert(wanted_.compared.begin(), wanted_.compared.end());
+  referred.insert(bodies_.paths().begin(), bodies_.paths().end());
   for (const std::string& path : referred) {
     const Value* const value = project_.value(path);
     if (value == nullptr || value->si.empty()) {  // it may have one at another point
@@ -198,7 +194,6 @@ bool Variants::find_kernels() {
     points_.signatures[path] = value->signature;
     if (!value->is_series()) points_.constants[path] = value->si[0];
   }
-  const std::set<std::string> affected = affected_steps(project_, axes_);
   bool brings = false;
   for (const std::size_t i : project_.order) {
     Step& step = *project_.steps[i];
@@ -213,7 +208,7 @@ bool Variants::find_kernels() {
     if (!kernel && calculator != nullptr) kernel = ColumnStep::of(*calculator, referred, points_);
     brings = brings || kernel != nullptr;
     if (!kernel) kernel = AloneStep::of(step, wanted_, referred, points_);
-    if (!kernel) {
+    if (!kernel || !bodies_.take(step, kernel.get())) {
       kernels_.clear();
       return false;
     }
@@ -234,17 +229,29 @@ void Variants::solve_columns(std::span<const double* const> in, std::span<double
     for (const SweptInput::Target& target : axes_[k].targets)
       put(target.step->name() + "." + target.step->input().reading.varied[target.varied].path);
   }
-  const bool one_alone = points_.axes_differ;
-  for (std::size_t k = 0; k < kernels_.size(); ++k) {
-    kernels_[k]->evaluate(points_, modes_[k]);
-    if (points_.axes_differ && !one_alone) return;  // their series have other places: one by one
-  }
+  if (!run_kernels()) return;  // their series have other places: one by one
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     if (columns_[k].kind != SweptResult::Kind::expression) continue;
     if (!PointExpression(columns_[k].expression, points_.signatures).fill(points_, {out[k], n}))
       std::fill(points_.is_other.begin(), points_.is_other.end(), char{1});
   }
   read_verdicts(out, n);
+}
+
+/// All steps, and again as long as bodies require larger sizes; false if series turn out to lie over other places.
+bool Variants::run_kernels() {
+  constexpr int most_rounds = 4;
+  const bool one_alone = points_.axes_differ;
+  bodies_.start();
+  for (int round = 0; round < most_rounds; ++round) {
+    for (std::size_t k = 0; k < kernels_.size(); ++k) {
+      kernels_[k]->evaluate(points_, modes_[k]);
+      if (points_.axes_differ && !one_alone) return false;
+    }
+    if (!bodies_.require_sizes(points_)) break;
+  }
+  bodies_.leave_contradicting(points_);
+  return true;
 }
 
 /// Fills the columns of verdicts from the modes of all steps.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lib/project/sweep/axes.hpp"
+#include "lib/project/sweep/body_columns.hpp"
 #include "lib/project/sweep/columns.hpp"
 #include "lib/project/sweep/points/point_step.hpp"
 #include "lib/sweep/function.hpp"
@@ -42,6 +43,7 @@ class Variants final : public sweep::Function {
                    std::size_t count);
   /// The ordinary points of a batch, column by column; which are not ordinary stays marked.
   void solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n);
+  bool run_kernels();
   bool solve_first(std::span<const double* const> in, std::size_t n);
   void find_way(std::span<const double* const> in, std::size_t n);
   bool find_kernels();
@@ -64,6 +66,7 @@ class Variants final : public sweep::Function {
   Way way_ = Way::unknown;
   std::vector<std::unique_ptr<PointStep>> kernels_;  // in order of evaluation
   PointColumns points_;
+  BodyColumns bodies_;
   std::vector<const double*> from_;  // columns of a batch
   std::vector<double*> to_;
   std::vector<std::vector<account::ModeColumns>> modes_;             // modes of each step in order of evaluation

@@ -48,7 +48,8 @@ struct Sought {
   std::size_t offset = 0;
   const FieldInfo* least = nullptr;  // result with the minimum size; null: there is none
   std::size_t least_offset = 0;
-  std::vector<std::size_t> kept = {};  // results that a sizing would fix
+  std::vector<double> least_of_body = {};  // at each point, from other steps; empty: none
+  std::vector<std::size_t> kept = {};      // results that a sizing would fix
   std::vector<std::vector<double>> of_kept = {};
   std::vector<char> rules = {};    // rules for a candidate
   std::vector<Candidate> at = {};  // candidate at each point

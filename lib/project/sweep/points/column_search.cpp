@@ -27,6 +27,12 @@ void ColumnParts::find_first_candidates(PointColumns& points) {
     }
   }
   wanted.leaf.set(found);
+  for (std::size_t point = 0; point < wanted.least_of_body.size(); ++point) {
+    const double least = account::least_candidate(wanted.least_of_body[point]);
+    const auto start = std::lower_bound(wanted.stock.begin(), wanted.stock.end(), least);
+    wanted.at[point].now = std::max(wanted.at[point].now, static_cast<std::size_t>(start - wanted.stock.begin()));
+    if (start == wanted.stock.end()) leave(points, point);
+  }
 }
 
 /// The minimum size over all rows. Results of the sizing for inputs left open would be kept when the size is rounded

@@ -25,4 +25,10 @@ void ColumnStep::evaluate(PointColumns& points, std::vector<account::ModeColumns
   parts_->judge(points, modes);
 }
 
+bool ColumnStep::seeks(const std::string& path) const {
+  return parts_->sought && parts_->step.searches().front().path == path;
+}
+
+void ColumnStep::keep_to(std::vector<double> least) { parts_->sought->least_of_body = std::move(least); }
+
 }  // namespace loadpath::project

@@ -26,6 +26,10 @@ class ColumnStep final : public PointStep {
   ~ColumnStep() override;
 
   void evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) override;
+  /// Whether it searches for this size.
+  [[nodiscard]] bool seeks(const std::string& path) const;
+  /// The least size at each point, which other steps of the same body require; 0 and none at all: any.
+  void keep_to(std::vector<double> least);
 
  private:
   explicit ColumnStep(std::unique_ptr<ColumnParts> parts);

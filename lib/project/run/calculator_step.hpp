@@ -6,6 +6,7 @@
 #include "lib/project/run/search/search.hpp"
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,13 +37,13 @@ class CalculatorStep : public PreparedStep {
   /// The row that the next solution takes, found together with that of another step.
   void keep_to_row(RowTogether row) { together_ = std::move(row); }
 
-  /// Known once it is solved: typed inputs that rows and records for the same fields were compared with, and whether
-  /// that must be done at every point of a sweep.
-  [[nodiscard]] const std::vector<std::string>& compared() const { return compared_; }
+  /// Known once it is solved: typed inputs that rows and records for the same fields were compared with, each with the
+  /// value up to which it needs no reason, NaN if that is not known; and whether all must be compared at every point.
+  [[nodiscard]] const std::map<std::string, double>& compared() const { return compared_; }
   [[nodiscard]] bool goes_point_by_point() const { return goes_point_by_point_; }
 
  private:
-  std::vector<std::string> compared_;
+  std::map<std::string, double> compared_;
   bool goes_point_by_point_ = false;
   std::optional<RowTogether> together_;
 };

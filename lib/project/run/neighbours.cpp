@@ -51,12 +51,23 @@ bool is_of_steps(const Reading& reading, const std::string& path) {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// The least value of a row at any size; infinite if it has none.
+double least_of_row(const table::Entry& row, std::string_view column) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const table::SizedProperty& at : table::values_by_size(row, column)) least = std::fmin(least, at.value.si);
+  return least;
+}
+
 /// Whether a typed value may be above the value of a row at one size and below it at another: not if the row is
 /// larger at every size.
 bool hangs_on_size(const table::Entry& row, std::string_view column, double part, double typed) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const table::SizedProperty& at : table::values_by_size(row, column)) least = std::fmin(least, at.value.si);
-  return !(typed <= part * least);
+  return !(typed <= part * least_of_row(row, column));
+}
+
+/// The limit itself, less rounding.
+double safe_below(double limit) {
+  constexpr double rounding = 1e-12;
+  return std::isfinite(limit) ? limit * (1.0 - rounding) : unknown;
 }
 
 bool is_comparable(const FieldInfo& field) {
@@ -111,6 +122,7 @@ void add_rows_beside(const Evaluation& evaluation, const Results& results, std::
       const double typed = largest_magnitude(inputs.value_of(field.key, all.back().leaf));
       all.back().by_size = *from.size != '\0' && (!is_capacity || hangs_on_size(*row, from.column, 1.0, typed));
       all.back().row_of = from.table;
+      if (is_capacity) all.back().safe = safe_below(*from.size == '\0' ? si : least_of_row(*row, from.column));
     }
     const Leaf instead = *from.unless == '\0' ? Leaf{} : inputs.leaf(from.unless);
     if (!instead || from.unless == std::string_view(field.key) || !is_typed(step.reading, from.unless) ||
@@ -118,6 +130,7 @@ void add_rows_beside(const Evaluation& evaluation, const Results& results, std::
       continue;
     const double most = table::largest_value(*row, from.column);
     all.push_back({from.unless, instead, {{instead.field->dimension, nullptr}, {most}}, source, Beside::capacity});
+    all.back().safe = safe_below(most);
   }
 }
 
@@ -200,6 +213,25 @@ bool may_change(const Evaluation& evaluation, const char* column, double part, d
   return of_material == provided.end() || hangs_on_size(of_material->entry, column, part, typed);
 }
 
+/// The least value that a strength of the part, `now`, has at any point of a sweep; NaN if it may have any.
+double least_strength(const Evaluation& evaluation, const char* column, double now) {
+  const Inputs& inputs = evaluation.inputs();
+  const Reading& reading = evaluation.step().input().reading;
+  for (const char* const symbol : symbols_of_strength(column)) {
+    const Leaf own = inputs.leaf(symbol);
+    if (!own || !own.field->is_number()) continue;
+    const auto is_it = [&](const auto& one) { return one.path == symbol; };
+    const auto& provided = inputs.provided();
+    const auto by_row = std::find_if(provided.begin(), provided.end(), is_it);
+    if (by_row != provided.end() && !by_row->row.empty())
+      return least_of_row(by_row->entry, by_row->field->provider.column);
+    const bool varies = by_row != provided.end() || inputs.find_computed(symbol) != nullptr ||
+                        std::any_of(reading.varied.begin(), reading.varied.end(), is_it);
+    if (varies) return unknown;
+  }
+  return now;
+}
+
 /// The least factor between the strength and an allowable stress: that which is customary for the safety factor that
 /// the calculator takes in its place, within rounded digits of the stress.
 double margin_of(const Evaluation& evaluation) {
@@ -234,6 +266,7 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
     const double part = margin > 0.0 ? share.part / margin : share.part;
     all.back().by_size = may_change(evaluation, share.column, part, typed);
     all.back().margin = margin;
+    all.back().safe = safe_below(part * least_strength(evaluation, share.column, strength));
   });
 }
 
@@ -266,6 +299,7 @@ void add_body_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) 
                    say("'{1}', a step of the same body", fact.by),
                    beside_in_body(*leaf.field)});
     all.back().by_size = true;  // at another point the other step has another value
+    all.back().is_of_body = true;
   }
 }
 

@@ -4,6 +4,7 @@
 #include "lib/project/run/beside.hpp"
 #include "lib/project/run/evaluation/results.hpp"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Neighbour {
   bool is_full = false;        // the typed value is the strength, or little below it
   std::string row_of = {};     // the table of the row; empty: of a record, or a strength
   bool is_unassessed = false;  // a value that a step would calculate
+  bool is_of_body = false;     // a value of another step of the same body
+  /// Up to this a typed value needs no reason, whatever the size; NaN: not known.
+  double safe = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Without sources_beside.hpp. `results`: rows are looked up at the resulting size, if there is one yet.

@@ -64,6 +64,18 @@ std::vector<Neighbour> all_beside(const Evaluation& evaluation, const Results& r
   return all;
 }
 
+/// Notes with what a typed value is compared. A value of another step of the body that has a reason decides nothing.
+void note_compared(const StepInput& step, const Neighbour& beside, WeighedValues& weighed) {
+  if (beside.is_of_body && reason_for(step, beside.path) != nullptr) return;
+  const auto is_it = [&](const auto& one) { return one.path == beside.path; };
+  const Reading& reading = step.reading;
+  const bool varies = std::ranges::any_of(reading.varied, is_it) || std::ranges::any_of(reading.operands, is_it);
+  const bool is_asked_anyway = varies && !std::isnan(beside.safe);  // at each point, whether it is safe
+  weighed.compared_by_size = weighed.compared_by_size || (beside.by_size && !is_asked_anyway);
+  double& safe = weighed.compared.try_emplace(beside.path, beside.safe).first->second;
+  if (!(safe <= beside.safe)) safe = std::isnan(safe) ? safe : beside.safe;
+}
+
 /// The neighbours less favourable than the typed value.
 std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& results, const Known& known,
                                    WeighedValues& weighed) {
@@ -71,8 +83,7 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
   std::vector<Neighbour> all = all_beside(evaluation, results, known);
   add_bounds_beside(evaluation, known, all);
   for (Neighbour& beside : all) {
-    weighed.compared.push_back(beside.path);
-    weighed.compared_by_size = weighed.compared_by_size || beside.by_size;
+    note_compared(evaluation.step().input(), beside, weighed);
     if (is_of_one_part(beside.kind)) continue;
     const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
     const bool is_the_same = std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside));

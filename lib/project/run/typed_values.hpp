@@ -17,7 +17,7 @@ struct WeighedValues {
   std::map<std::string, Bolder> decided;   // by the check or limit that such a value decides
   std::vector<Bolder> handed_on;           // without a reason, used only by other steps
   std::map<std::string, Message> reasons;  // by the input: how it is bolder, and why
-  std::vector<std::string> compared;       // typed inputs that have a neighbour
+  std::map<std::string, double> compared;  // typed inputs that have a neighbour: safe up to which value (Neighbour)
   bool compared_by_size = false;           // whether the neighbour of one of them depends on a size
   bool holds_back = false;                 // whether modes are held back
 };

@@ -1,5 +1,6 @@
 #include "lib/project/solving/body_facts.hpp"
 
+#include "lib/project/because.hpp"
 #include "lib/project/run/beside.hpp"
 #include "lib/project/run/neighbours.hpp"
 #include "lib/project/solving/bodies.hpp"
@@ -241,8 +242,8 @@ bool agree(const BodyStatements& stated) {
     return std::all_of(all.begin(), all.end(), [&](const Statement& one) { return is_one_bore(all.front(), one); });
   }
   return std::all_of(all.begin(), all.end(), [&](const Statement& own) {
-    return std::none_of(all.begin(), all.end(),
-                        [&](const Statement& other) { return other.step != own.step && is_surpassed(own, other); });
+    const auto is_less = [&](const Statement& other) { return other.step != own.step && is_surpassed(own, other); };
+    return std::ranges::none_of(all, is_less) || reason_for(own.step->input(), own.input->key) != nullptr;
   });
 }
 

@@ -24,7 +24,7 @@ struct BodyStatements {
 };
 /// Of solved steps, by the names of all their facts.
 std::vector<BodyStatements> statements_of_bodies(const Project& project);
-/// Whether no step needs the value of another one; of bores, whether they are one.
+/// Whether no step needs the value of another one, or each that does has a reason; of bores, whether they are one.
 bool agree(const BodyStatements& stated);
 
 /// After all steps are solved, with the sizes of their bodies: whether they must be solved again because the body has a

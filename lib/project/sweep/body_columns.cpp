@@ -79,7 +79,8 @@ bool BodyColumns::lay_out(const Project& project, const std::set<std::string>& a
 /// Nothing if it is the same at every point. Values that the columns have under another meaning are not compared.
 std::optional<BodyColumns::Number> BodyColumns::number(const Project& project, const Step& step, const std::string& key,
                                                        bool is_result) {
-  if (!affected_->contains(step.name()) || (!is_result && !is_varying_input(step, key, *affected_))) return std::nullopt;
+  if (!affected_->contains(step.name()) || (!is_result && !is_varying_input(step, key, *affected_)))
+    return std::nullopt;
   const Entry* const entry = entry_of(is_result ? step.account().results : step.account().inputs, key);
   std::string path = step.name() + "." + key;
   const Value* const value = project.value(path);

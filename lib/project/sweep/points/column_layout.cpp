@@ -26,6 +26,7 @@ struct ColumnLayout : ColumnPlan {
   [[nodiscard]] bool is_plain() const;
   bool add_fed(const PointColumns& points);
   [[nodiscard]] std::optional<std::size_t> place_of(const FieldInfo& field, const std::string& path) const;
+  void bound_last(const std::string& path);
   bool add_companions(const PointColumns& points);
   bool add_absent(const Provided& provided, const PointColumns& points);
   [[nodiscard]] bool may_be_held(const LoadBeside& component) const;
@@ -80,8 +81,8 @@ bool ColumnLayout::is_fed(std::string_view field) const {
 
 /// The offset of a varying input in the record; nothing if it is not fixed, or affects more than numbers.
 std::optional<std::size_t> ColumnLayout::place_of(const FieldInfo& field, const std::string& path) const {
-  const auto& compared = step.compared();
-  if (std::find(compared.begin(), compared.end(), path) != compared.end()) return std::nullopt;
+  const auto compared = step.compared().find(path);
+  if (compared != step.compared().end() && std::isnan(compared->second)) return std::nullopt;
   if (field.is_factor || field.takes_whole() || !is_fixed(calculator.input->fields, path)) return std::nullopt;
   const Leaf leaf = find_leaf(record, path);
   const Value* const now = step.value(path);
@@ -95,6 +96,7 @@ bool ColumnLayout::add_fed(const PointColumns& points) {
     const auto place = varied.leaf && varied.words.empty() ? place_of(*varied.leaf.field, varied.path) : std::nullopt;
     if (!place) return false;
     fed.emplace_back(step.name() + "." + varied.path, *varied.leaf.field, *place);
+    bound_last(varied.path);
   }
   for (const Operand& operand : reading.operands) {
     const auto place = place_of(*operand.leaf.field, operand.path);
@@ -103,8 +105,15 @@ bool ColumnLayout::add_fed(const PointColumns& points) {
     const bool is_open = operand.may_lack && (now == nullptr || std::isnan(now->si[0]));
     fed.emplace_back(step.name() + "." + operand.path, *operand.leaf.field, *place, operand.expression, is_open,
                      points);
+    bound_last(operand.path);
   }
   return true;
+}
+
+/// Above this value the input that was added last is compared with rows and strengths as one of a single design.
+void ColumnLayout::bound_last(const std::string& path) {
+  const auto compared = step.compared().find(path);
+  if (compared != step.compared().end()) fed.back().accept_up_to(compared->second);
 }
 
 /// Adds components absent at this point; false for a series.

@@ -48,6 +48,10 @@ Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset, const std
   }
 }
 
+void Fed::accept_up_to(double highest) {
+  accepted_ = common_part(accepted_, {.low = accepted_.low, .high = highest, .low_open = accepted_.low_open});
+}
+
 void Fed::fill(PointColumns& points, const Axis* axis) {
   const std::size_t positions = positions_of(axis);
   si_.resize(points.count * positions);

@@ -30,6 +30,8 @@ class Fed {
   /// At every position of every point.
   [[nodiscard]] const std::vector<double>& si() const { return si_; }
 
+  /// Above this a point is another's.
+  void accept_up_to(double highest);
   /// Over the positions of `axis`, which is null if there is one. Points where it has no value, or one that its
   /// field refuses or that is unusual, become another's.
   void fill(PointColumns& points, const Axis* axis);

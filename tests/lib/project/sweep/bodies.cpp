@@ -1,0 +1,76 @@
+// Steps of one body, and typed strengths next to a material, in columns: the numbers of the points as single designs.
+#include "calculators/catalogue.hpp"
+#include "lib/project/solving/solve.hpp"
+#include "lib/project/sweep/variants.hpp"
+#include "tests/lib/project/sweep/swept.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace loadpath;
+using test::Swept;
+
+std::string shaft(const std::string& torque, const std::string& more, const std::string& end) {
+  return "[values]\nT = { from = \"200 N*m\", to = \"500 N*m\", count = 20 }\n[shaft]\ncalculator = "
+         "\"shaft.torsion\"\nbody = \"shaft\"\ntau_adm = \"30 MPa\"\nT = " +
+         torque + "\n" + more +
+         "[end]\ncalculator = \"shaft.overhung\"\nbody = \"shaft\"\nF = \"9 kN\"\na = \"40 mm\"\n" +
+         "T = \"=values.T\"\nsigma_adm = \"60 MPa\"\n" + end;
+}
+
+/// The points solved as single designs; every point has the bits that it has as one.
+std::size_t solved_alone(const std::string& text, const std::vector<std::string>& results) {
+  const Swept swept(text, results, 1, {}, catalogue());
+  REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+  const std::size_t count = swept.column("state").size();
+  project::Variants variants(swept.read_again(), results);
+  std::vector<const double*> in;
+  for (const auto& column : swept.inputs) in.push_back(column.data());
+  std::vector<std::vector<double>> found(variants.outputs(), std::vector<double>(count));
+  std::vector<double*> out;
+  for (auto& column : found) out.push_back(column.data());
+  variants.evaluate(in, out, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<Issue> issues;
+    project::Project machine = swept.read_again();
+    project::set_point(machine, swept.plan, i, issues);
+    project::solve(machine, issues);
+    REQUIRE(!has_errors(issues));
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      const Value* const alone = machine.value(results[k]);
+      REQUIRE(alone != nullptr);
+      CHECK_MESSAGE(found[k][i] == alone->si[0], results[k], " at point ", i);
+    }
+  }
+  return variants.solved_alone();
+}
+
+}  // namespace
+
+TEST_SUITE("sweep bodies") {
+  TEST_CASE("a body has the larger size of its steps at every point") {
+    const std::vector<std::string> results{"shaft.d", "end.d", "shaft.tau_max"};
+    CHECK(solved_alone(shaft("\"=values.T\"", "", ""), results) == 0);
+  }
+
+  TEST_CASE("a lower torque of one step holds for all points that have it, with a reason at no cost") {
+    const std::vector<std::string> results{"shaft.d", "end.d"};
+    CHECK(solved_alone(shaft("\"300 N*m\"", "", ""), results) > 0);
+    const std::string reason = "because.T = \"between the wheels\"\n";
+    CHECK(solved_alone(shaft("\"300 N*m\"", reason, reason), results) == 0);
+  }
+
+  TEST_CASE("a varied allowable stress is compared with the material in a column, up to its strength") {
+    const std::string text =
+        "[s]\ncalculator = \"shaft.torsion\"\nT = \"700 N*m\"\nmaterial = \"C45E\"\ntheta_adm = \"0.25 deg/m\"\n"
+        "tau_adm = { from = \"30 MPa\", to = \"";
+    CHECK(solved_alone(text + "100 MPa\", count = 20 }\n", {"s.d"}) == 0);
+    const std::size_t above = solved_alone(text + "300 MPa\", count = 20 }\n", {"s.d"});
+    CHECK(above > 0);
+    CHECK(above < 20);
+  }
+}

@@ -1,6 +1,8 @@
 #include "lib/report/brief/derivations.hpp"
 
+#include "lib/formula/formula.hpp"
 #include "lib/report/appendix.hpp"
+#include "lib/report/brief/heights.hpp"
 #include "lib/report/brief/names.hpp"
 #include "lib/report/columns.hpp"
 #include "lib/report/why.hpp"
@@ -17,7 +19,7 @@ namespace {
 using account::Derived;
 
 constexpr std::size_t most_lines = 30;
-constexpr double heading_height = 8.5, least_height = 38.0;  // mm
+constexpr double heading_height = 8.5, page_width = 171.0;  // mm
 
 bool has_fraction(const std::string& formula) { return formula.find_first_of("/^") != std::string::npos; }
 
@@ -29,23 +31,48 @@ bool is_worth_a_line(const Derived& line) {
 
 /// The height of a line as it is set, mm.
 double height_of(const account::Step& line) {
-  constexpr double plain = 4.9, fraction = 8.4, of_note_line = 3.3;
+  constexpr double plain = 4.9, fraction = 8.75, root = 11.5,
+                   of_note_line = 3.3;   // root: over or under a fraction line
   constexpr double note_letters = 31.0;  // in a line of the note column
-  const double row = has_fraction(line.formula) ? fraction : plain;
+  const bool has_root = line.formula.find("sqrt(") != std::string::npos;
+  const double row = !has_fraction(line.formula) ? plain : has_root ? root : fraction;
   const Setting setting = setting_of(line);
   const double rows = setting == Setting::row ? 1.0 : setting == Setting::two_rows ? 2.0 : 3.0;
   const double notes = std::ceil(letters_of(line.why.text()) / note_letters);
   return std::max(row * rows, of_note_line * notes + 1.0);
 }
 
-Panel panel_of(const Governing& row, const project::Step& step, const std::vector<Derived>& lines, std::size_t left) {
+/// A line within a text: "K_v = 1 + 0.25·v = 1.132", with the source of a value that has no formula.
+std::string in_a_row(const Derived& line) {
+  constexpr int most_digits = 4;
+  constexpr double longest_unbroken = 45.0;  // letters
+  const account::Step& step = line.step;
+  std::string text = formula::symbol_plain(step.symbol);
+  Quantity value = step.value;
+  value.digits = most_digits;
+  const std::string result = formula::quantity_plain(written(value));
+  const Worked w = step.formula.empty() ? Worked{} : worked(step);
+  if (w.tree) {
+    const std::string side = formula::plain(*w.tree, {}, w.known);
+    if (side != result) text += " = " + side;
+  }
+  text += " = " + result;
+  std::string keys;
+  for (const std::string& key : keys_in(step.why.text())) keys += " [" + key + "]";
+  if (letters_of(text) <= longest_unbroken) text = unbroken(std::move(text));
+  return text + keys;
+}
+
+/// The lines before those that are set, one after the other as a text.
+Paragraph in_a_text(const std::vector<std::string>& lines) {
+  std::string all;
+  for (const std::string& line : lines) all += (all.empty() ? "" : "; ") + line;
+  return {say("Before: {1}.", all), Paragraph::Tone::note};
+}
+
+Panel panel_of(const Governing& row, const project::Step& step, const std::vector<Derived>& lines) {
   Panel panel{say("{1}: {2}", capitalised(row.component), mode_name(row.mode)), {}, {}};
   if (!step.account().governing.empty()) panel.remark = say("calculated {1}", step.account().governing);
-  if (left > 0) {
-    const Message before =
-        left == 1 ? say("1 line before: appendix") : say("{1} lines before: appendix", std::to_string(left));
-    panel.remark = panel.remark.empty() ? before : say("{1}; {2}", panel.remark, before);
-  }
   Derivation derivation;
   for (const Derived& line : lines) {
     derivation.steps.push_back(line.step);
@@ -66,37 +93,57 @@ double height_of(const Derivation& derivation) {
 
 namespace {
 
-/// A mode with the lines that its utilisation follows from, and their heights.
-struct Derivable {
+/// A mode with the lines that its utilisation follows from: the last are set, those before are a text.
+class Derivable {
+ public:
   Derivable(const Governing& mode, const project::Step& of, std::vector<Derived> from)
-      : row(&mode), step(&of), lines(std::move(from)), heights(lines.size()) {
-    std::ranges::transform(lines, heights.begin(), [](const Derived& line) { return height_of(line.step); });
-  }
-
-  /// The last lines that fit into a height.
-  [[nodiscard]] std::size_t count_within(double height) const {
-    std::size_t count = 0;
-    while (count < std::min(most_lines, lines.size())) {
-      height -= heights[lines.size() - 1 - count];
-      if (height < 0.0) break;
-      ++count;
+      : row_(&mode), step_(&of), lines_(std::move(from)) {
+    for (const Derived& line : lines_) {
+      heights_.push_back(height_of(line.step));
+      texts_.push_back(in_a_row(line));
     }
-    return count;
+    set_ = std::min(least_lines, lines_.size());
   }
-  /// Of the last lines and the heading.
-  [[nodiscard]] double height_of_last(std::size_t count) const {
-    return std::accumulate(heights.end() - static_cast<std::ptrdiff_t>(count), heights.end(), heading_height);
-  }
-  [[nodiscard]] double height() const { return height_of_last(count_within(most_height)); }
-  [[nodiscard]] std::vector<Derived> last(std::size_t count) const {
-    return {lines.end() - static_cast<std::ptrdiff_t>(count), lines.end()};
-  }
-  static constexpr double most_height = 1e6;
 
-  const Governing* row;
-  const project::Step* step;
-  std::vector<Derived> lines;
-  std::vector<double> heights;  // mm
+  [[nodiscard]] double height() const {
+    const double set = std::accumulate(heights_.end() - static_cast<std::ptrdiff_t>(set_), heights_.end(), 0.0);
+    return heading_height + set + (early().empty() ? 0.0 : height_of(Panel{{}, {}, {in_a_text(early())}}, page_width));
+  }
+  [[nodiscard]] std::size_t early_lines() const { return lines_.size() - set_ - left_out_; }
+  [[nodiscard]] bool has_more() const { return set_ < std::min(most_lines, lines_.size()) && early_lines() > 0; }
+  void set_one_more() { ++set_; }
+  void set_one_less() { --set_; }
+  void leave_one_out() { ++left_out_; }
+
+  [[nodiscard]] Panel panel() const {
+    Panel panel = panel_of(*row_, *step_, {lines_.end() - static_cast<std::ptrdiff_t>(set_), lines_.end()});
+    if (!early().empty()) panel.blocks.insert(panel.blocks.begin(), in_a_text(early()));
+    if (left_out_ == 0) return panel;
+    const Message before =
+        left_out_ == 1 ? say("1 line before: appendix") : say("{1} lines before: appendix", std::to_string(left_out_));
+    panel.remark = panel.remark.empty() ? before : say("{1}; {2}", panel.remark, before);
+    return panel;
+  }
+  [[nodiscard]] std::set<std::string> sources() const {
+    std::set<std::string> keys;
+    for (std::size_t i = left_out_; i < lines_.size(); ++i) keys.merge(keys_in(lines_[i].step.why.text()));
+    return keys;
+  }
+
+ private:
+  static constexpr std::size_t least_lines = 3;
+
+  [[nodiscard]] std::vector<std::string> early() const {
+    const auto begin = texts_.begin() + static_cast<std::ptrdiff_t>(left_out_);
+    return {begin, begin + static_cast<std::ptrdiff_t>(early_lines())};
+  }
+
+  const Governing* row_;
+  const project::Step* step_;
+  std::vector<Derived> lines_;
+  std::vector<double> heights_;  // mm
+  std::vector<std::string> texts_;
+  std::size_t set_ = 0, left_out_ = 0;  // the last, the first of the lines
 };
 
 /// One mode of each component; a formula set only once.
@@ -114,18 +161,36 @@ std::vector<Derivable> derivable(const project::Project& project, const std::vec
   return all;
 }
 
-/// The height that each may take where none takes more than it needs: what the short ones leave goes to the long ones.
-double fair_height(const std::vector<Derivable>& all, double height) {
-  std::vector<double> needs(all.size());
-  std::ranges::transform(all, needs.begin(), [](const Derivable& one) { return one.height(); });
-  std::ranges::sort(needs);
-  double left = height;
-  for (std::size_t i = 0; i < needs.size(); ++i) {
-    const double share = left / static_cast<double>(needs.size() - i);
-    if (needs[i] > share) return share;
-    left -= needs[i];
+double height_of_all(const std::vector<Derivable>& modes) {
+  double height = 0.0;
+  for (const Derivable& mode : modes) height += mode.height();
+  return height;
+}
+
+/// Leaves out modes, then the first lines of the longest, until all fit.
+void shorten(double height, std::vector<Derivable>& modes) {
+  constexpr std::size_t least_modes = 3;
+  while (modes.size() > least_modes && height_of_all(modes) > height) modes.pop_back();
+  while (height_of_all(modes) > height) {
+    const auto longest = std::ranges::max_element(modes, {}, &Derivable::early_lines);
+    if (longest == modes.end() || longest->early_lines() == 0) return;
+    longest->leave_one_out();
   }
-  return Derivable::most_height;
+}
+
+/// Sets more of the lines, one of each mode in turn.
+void set_more(double height, std::vector<Derivable>& modes) {
+  for (bool has_set = true; has_set;) {
+    has_set = false;
+    for (Derivable& mode : modes) {
+      if (!mode.has_more()) continue;
+      mode.set_one_more();
+      if (height_of_all(modes) <= height)
+        has_set = true;
+      else
+        mode.set_one_less();
+    }
+  }
 }
 
 }  // namespace
@@ -133,15 +198,12 @@ double fair_height(const std::vector<Derivable>& all, double height) {
 Derivations governing_derivations(const project::Project& project, const std::vector<Governing>& rows, double height) {
   Derivations all;
   std::vector<Derivable> modes = derivable(project, rows);
-  while (modes.size() > 1 && fair_height(modes, height) < least_height) modes.pop_back();
-  const double share = fair_height(modes, height);
+  shorten(height, modes);
+  set_more(height, modes);
+  all.height = height_of_all(modes);
   for (const Derivable& mode : modes) {
-    const bool fits = mode.height() <= share;
-    const std::size_t count = mode.count_within(fits ? Derivable::most_height : share - heading_height);
-    const std::vector<Derived> lines = mode.last(count);
-    for (const Derived& line : lines) all.sources.merge(keys_in(line.step.why.text()));
-    all.height += mode.height_of_last(count);
-    all.panels.push_back(panel_of(*mode.row, *mode.step, lines, mode.lines.size() - lines.size()));
+    all.sources.merge(mode.sources());
+    all.panels.push_back(mode.panel());
   }
   return all;
 }

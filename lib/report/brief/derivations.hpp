@@ -16,7 +16,7 @@ struct Derivations {
   double height = 0.0;            // mm
 };
 /// The derivation of the governing mode of each component, in the order of the rows, as far as the height suffices, mm.
-/// A derivation has at most 30 lines; the lines before are in the appendix.
+/// At most 30 lines of each are set in full; the lines before are a text, so that each factor has its formula or source.
 Derivations governing_derivations(const project::Project& project, const std::vector<Governing>& rows, double height);
 
 /// The height of a derivation as it is set, mm.

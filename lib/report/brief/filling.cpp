@@ -37,12 +37,13 @@ double full_height(const Band& band) {
 }  // namespace
 
 double height_of_lines(const Band& band) {
-  constexpr double heading = 9.0;  // mm
+  constexpr double below = 1.0;  // mm
+  const Panel& panel = band.front().panels.front();
   double height = 0.0;
-  for (const Block& block : band.front().panels.front().blocks) {
-    if (const auto* const lines = std::get_if<Derivation>(&block)) height += height_of(*lines);
+  for (const Block& block : panel.blocks) {
+    if (const auto* const lines = std::get_if<Derivation>(&block)) height += below + height_of(*lines);
   }
-  return height > 0.0 ? heading + height : height_of(band.front().panels.front(), page_width);
+  return height + height_of(panel, page_width);
 }
 
 Table fitting(Table sources, double height) {

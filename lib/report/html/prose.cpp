@@ -50,13 +50,17 @@ std::string with_subscript(std::string_view word) {
   return escaped(word.substr(0, bar)) + "<sub>" + escaped(below) + "</sub>";
 }
 
-/// The end of a word; the second index of "p_adm,1" belongs to it.
+/// The end of a word; the second index of "p_adm,1" and of "x_d,k" belongs to it.
 std::size_t end_of_word(std::string_view text, std::size_t begin) {
   std::size_t end = begin;
   while (end < text.size() && is_of_symbol(text[end])) ++end;
   const auto is_digit = [&](std::size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
-  const bool has_second = end < text.size() && text[end] == ',' && is_digit(end + 1) && !is_digit(end + 2) &&
-                          is_indexed(text.substr(begin, end - begin));
+  const auto is_index = [&](std::size_t at) {
+    const bool is_letter = at < text.size() && text[at] >= 'a' && text[at] <= 'z';
+    return is_digit(at) ? !is_digit(at + 1) : is_letter && (at + 1 == text.size() || !is_of_symbol(text[at + 1]));
+  };
+  const bool has_second =
+      end < text.size() && text[end] == ',' && is_index(end + 1) && is_indexed(text.substr(begin, end - begin));
   return has_second ? end + 2 : end;
 }
 

@@ -40,6 +40,20 @@ void drop_joint_types(std::string& name) {
   }
 }
 
+/// "O: first link" of "joints.O.links.first": one of a pair belongs to the element whose pair it is. Empty if it is of
+/// no pair.
+std::string name_in_pair(const std::string& path) {
+  const std::size_t which = path.rfind('.');
+  if (which == std::string::npos || which == 0) return {};
+  const std::size_t pair = path.rfind('.', which - 1);
+  if (pair == std::string::npos || pair == 0) return {};
+  const std::string nouns = path.substr(pair + 1, which - pair - 1);
+  const bool is_pair = nouns == "links" || nouns == "points" || nouns == "mass_points";
+  const std::string place = path.substr(which + 1);
+  if (!is_pair || (place != "first" && place != "second")) return {};
+  return owner_of(path.substr(0, which)) + ": " + place + " " + spoken(nouns.substr(0, nouns.size() - 1));
+}
+
 }  // namespace
 
 std::string with_greek(std::string_view words) {
@@ -58,6 +72,7 @@ std::string with_greek(std::string_view words) {
 }
 
 std::string short_name(const Entry& entry) {
+  if (std::string pair = name_in_pair(entry.path); !pair.empty()) return pair;
   std::string name = with_greek(say("{1}", entry.doc).text());
   drop_joint_types(name);
   const std::size_t comma = name.find(", ");

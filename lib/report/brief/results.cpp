@@ -76,7 +76,7 @@ bool has_unit(const Quantity& q) { return !q.unit.empty() && q.unit != "-"; }
 /// Values far below the largest of their column are zeros, or rounding errors. A safety factor next to an infinite one
 /// is not: numbers without a unit stay.
 void drop_rounding(Table& table) {
-  constexpr double of_largest = 3e-5;
+  constexpr double of_largest = 1e-3;
   for (std::size_t i = 1; i < table.head.size(); ++i) {
     double largest = 0.0;
     for (const auto& row : table.rows) {

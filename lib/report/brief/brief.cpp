@@ -58,6 +58,7 @@ class Pages {
   [[nodiscard]] Panel sizes(std::size_t most_lines) const;
   [[nodiscard]] Panel modes() const;
   [[nodiscard]] Band fields(double room);
+  [[nodiscard]] bool is_figure_high() const;
   [[nodiscard]] double figures_height() const;
   [[nodiscard]] bool is_figure_compact() const;
   void add_main(double room, Page& page);
@@ -153,10 +154,17 @@ void Pages::add_shafts(Page& page) {
   }
 }
 
+/// Whether the style sheet gives the figure of page 1 more height: where the table of sizes is short.
+bool Pages::is_figure_high() const {
+  constexpr std::size_t most_rows = 10, most_lines = 40;
+  return !is_figure_compact() && !is_short() && sizes_table(project_, summary_, most_lines).rows.size() <= most_rows;
+}
+
 /// What the figures of page 1 take, as the style sheet limits them.
 double Pages::figures_height() const {
-  constexpr double of_one = 69.0, of_several = 78.0;
+  constexpr double of_one = 69.0, of_several = 78.0, higher = 10.0;
   if (main_.empty()) return 0.0;
+  if (main_.size() == 1 && is_figure_high()) return of_one + higher;
   return main_.size() > 1 ? of_several : of_one;
 }
 
@@ -196,7 +204,7 @@ void Pages::add_main(double room, Page& page) {
   if (!band.empty()) page.bands.push_back(std::move(band));
 }
 
-/// What is not decided, in a height. The assumptions are in the column with more room; if it has too little, on page 2.
+/// What is not decided, in a height. The assumptions are in the column with more room; if it has too little, below.
 Band Pages::fields(double room) {
   Band all{{half, {outside_scope(summary_), not_assessed(summary_)}},
            {other_half, {accepted_by_user(summary_, project_), not_considered(summary_)}}};
@@ -221,6 +229,12 @@ Page Pages::deciding() {
   add_main(room - height_of(undecided), page);
   rest_ = room - height_of(undecided) - std::max(height_of(modes(), wide), needed);
   page.bands.push_back(std::move(undecided));
+  const double of_estimates = is_figure_high() ? 25.0 : 8.0;  // mm; estimated heights are above the real ones
+  if (assumptions_ && height_of(*assumptions_, half + other_half) <= rest_ + of_estimates) {
+    rest_ -= height_of(*assumptions_, half + other_half);
+    page.bands.push_back(across(std::move(*assumptions_)));
+    assumptions_.reset();
+  }
   if (!is_short()) add_diagrams(page);
   return page;
 }
@@ -319,7 +333,7 @@ Page Pages::checking() {
 }
 
 void Pages::add_derivations(double height, Page& page) const {
-  constexpr double of_sources = 42.0, heading = 14.0;  // mm
+  constexpr double of_sources = 42.0, heading = 8.0;  // mm; estimated heights are above the real ones
   Derivations derivations = governing_derivations(project_, rows_, height - of_sources);
   for (Panel& panel : derivations.panels) page.bands.push_back(across(std::move(panel)));
   Table sources = fitting(citations(derivations.sources), height - derivations.height - heading);

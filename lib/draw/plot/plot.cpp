@@ -31,6 +31,7 @@ class PlotPicture {
   void draw_marks();
   void label_bound(const figure::Bound& bound);
   void label_mark(const figure::Mark& mark);
+  void add_far_places(Point dot, double wide, std::vector<Candidate>& places) const;
   void label_level(const Level& level);
   void label_curves();
   [[nodiscard]] std::vector<Candidate> beside_curve(const DrawnCurve& drawn, double width) const;
@@ -76,7 +77,7 @@ void PlotPicture::draw_bounds() {
 void PlotPicture::label_bound(const figure::Bound& bound) {
   const auto end = frame_.left_end(bound.y);
   if (!end) return;
-  const Text text = typeset(symbol(bound.label) + " " + frame_.y_quantity(bound.y));
+  const Text text = typeset(symbol(bound.label) + " " + with_minus(frame_.y_quantity(bound.y)));
   const double wide = width(text, text_size), room = frame_.area().width() - wide - 8.0;
   std::vector<Candidate> places;
   for (int eighth = 0; eighth <= 8; ++eighth) {
@@ -101,8 +102,24 @@ void PlotPicture::label_mark(const figure::Mark& mark) {
   const auto dot = frame_.place(mark.x, mark.y);
   if (!dot) return;
   const std::string value = symbol(mark.label) + " " + with_minus(frame_.y_quantity(mark.y));
-  const Text text = typeset(say("{1} at {2}", value, with_minus(frame_.x_quantity(mark.x))).text());
-  canvas_.centred_text("halo", labels_.place(around(*dot, 7.0, width(text, text_size))), text);
+  // The title of a strip has the unit; its axis is that of the drawing above it, and shows where the dot is.
+  const Text text = typeset(is_strip_ ? symbol(mark.label) + " " + with_minus(frame_.y().number(mark.y))
+                                      : say("{1} at {2}", value, with_minus(frame_.x_quantity(mark.x))).text());
+  const double wide = width(text, text_size);
+  std::vector<Candidate> places = around(*dot, 7.0, wide);
+  if (is_strip_) add_far_places(*dot, wide, places);
+  canvas_.centred_text("halo", labels_.place(places), text);
+}
+
+/// In a low strip a peak may have no room next to it: then any free place does, for the label has its symbol.
+void PlotPicture::add_far_places(Point dot, double wide, std::vector<Candidate>& places) const {
+  constexpr double spacing = 4.0, of_distance = 0.1;
+  constexpr double far = 8.0;  // costs less than a curve
+  const Box& area = frame_.area();
+  for (double y = area.top + 0.5 * line_height; y < area.bottom; y += spacing) {
+    for (double x = area.left + 0.5 * wide; x < area.right - 0.5 * wide; x += spacing)
+      places.push_back({Box::around({x, y}, wide, line_height), far + of_distance * length(Point{x, y} - dot)});
+  }
 }
 
 /// The value in the middle of its stretch: in the area, or beyond it where the area is too low. A zero says nothing.

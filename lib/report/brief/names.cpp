@@ -48,10 +48,12 @@ std::string name_in_pair(const std::string& path) {
   const std::size_t pair = path.rfind('.', which - 1);
   if (pair == std::string::npos || pair == 0) return {};
   const std::string nouns = path.substr(pair + 1, which - pair - 1);
-  const bool is_pair = nouns == "links" || nouns == "points" || nouns == "mass_points";
+  const bool is_pair = nouns == "links" || nouns == "points" || nouns == "mass_points" || nouns == "radii";
   const std::string place = path.substr(which + 1);
   if (!is_pair || (place != "first" && place != "second")) return {};
-  return owner_of(path.substr(0, which)) + ": " + place + " " + spoken(nouns.substr(0, nouns.size() - 1));
+  const std::string owner = owner_of(path.substr(0, which)) + ": ";
+  if (nouns == "radii") return owner + "radius of the " + place + " link";
+  return owner + place + " " + spoken(nouns.substr(0, nouns.size() - 1));
 }
 
 }  // namespace

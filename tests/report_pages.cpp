@@ -197,6 +197,30 @@ TEST_SUITE("report pages" * test::by_example) {
     }
   }
 
+  TEST_CASE("the lines before those of a derivation are a text, each with its formula or its source") {
+    const Document document = brief_of(machine("gearbox-shaft"));
+    const Panel* const belts = panel_of(document, "Belts: power rating of the belts");
+    REQUIRE(belts != nullptr);
+    CHECK(belts->remark.empty());
+    CHECK(belts->blocks.size() == 2);
+    const std::string text = plain(written(*belts));
+    CHECK(contains(text, "Before: P_B = K_A · P = 13.75 kW"));  // 1.25 * 11 kW
+    CHECK(contains(text, "[Optibelt-V]"));
+    CHECK_FALSE(contains(plain(written(*belts)), "appendix"));
+  }
+
+  TEST_CASE("page 1 of a machine with few sizes has its assumptions") {
+    const Document document = brief_of(machine("gearbox-shaft"));
+    const report::Band& last = document.pages.front().bands.back();
+    CHECK(last.front().panels.front().title.text() == "Assumptions");
+  }
+
+  TEST_CASE("the links and points of a joint are named by it") {
+    const std::string inputs = written(*panel_of(brief_of(machine("geared-press")), "Input data"));
+    CHECK(contains(inputs, "O: first link"));
+    CHECK_FALSE(contains(inputs, "first link or point"));
+  }
+
   TEST_CASE("no key of a result is on the pages, outside formulas") {
     const std::regex key("\\b[ux]_[A-Za-z]");
     for (const std::string& name : examples()) {

@@ -28,8 +28,9 @@ bool is_of_list(const Entry& entry) { return entry.path.find_first_of("[.") != s
 
 /// A coordinate of zero says little.
 bool is_zero_of_list(const Entry& entry) {
+  constexpr double rounding = 1e-15;  // in SI units: the cosine of a right angle
   return is_of_list(entry) && entry.word.empty() && !entry.value.is_series() && !entry.value.si.empty() &&
-         entry.value.si.front() == 0.0;
+         std::abs(entry.value.si.front()) < rounding;
 }
 
 bool is_name(const Entry& entry) { return entry.path == "name" || entry.path.ends_with(".name"); }

@@ -23,15 +23,8 @@ bool source_has(const Reading& reading, const std::string& key, const Known& kno
   });
 }
 
-/// Whether the user typed it, or took the word of another step.
-bool is_said(const Reading& reading, const std::string& path) {
-  return is_typed(reading, path) || std::any_of(reading.taken.begin(), reading.taken.end(), [&](const Taken& taken) {
-           return taken.path == path && !taken.of_record;
-         });
-}
-
 bool holds(const BoundInfo& bound, const std::string& path, const Reading& reading, const Known& known) {
-  if (!is_said(reading, path) || (bound.spares_results && is_found(reading, path))) return false;
+  if (!is_typed(reading, path) || (bound.spares_results && is_found(reading, path))) return false;
   return *bound.source_has == '\0' || source_has(reading, bound.source_has, known);
 }
 

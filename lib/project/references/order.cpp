@@ -218,7 +218,7 @@ constexpr int deepest = 32;  // inputs that refer to one another
 bool may_have(const Project& project, const std::string& path) {
   const auto [name, rest] = split_step(path);
   const Step* const step = project.find(name);
-  return step == nullptr || step->input().calculator->result == nullptr || step->field(rest) != nullptr;
+  return step != nullptr && (step->input().calculator->result == nullptr || step->field(rest) != nullptr);
 }
 
 std::optional<Value> value_of_input(const Project& project, const std::string& path, int depth) {

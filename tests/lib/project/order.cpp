@@ -18,6 +18,17 @@ std::vector<std::string> order_of(const std::string& text) {
   return names;
 }
 
+/// A rod next to a press whose force depends on an input of the rod that has a default value.
+std::string press_and_rod(const std::string& source, const std::string& lines = "") {
+  return "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"200 mm\"\n"
+         "crank = { speed = \"120 rpm\" }\nloads = [{ name = \"work\", link = \"slider\", at = \"B\", "
+         "F_x = \"=-40 N*rod.lambda_max\", F_y = \"0 N\" }]\n\n[rod]\ncalculator = \"link.member\"\nload = \"=" +
+         source +
+         "\"\nh = \"=0.2*press.l\"\nb = \"20 mm\"\nends = \"pinned_pinned\"\nmaterial = \"S235\"\n"
+         "method = \"johnson\"\nn_st = 3\nS = 2\n" +
+         lines;
+}
+
 }  // namespace
 
 TEST_SUITE("project order") {
@@ -59,5 +70,14 @@ TEST_SUITE("project order") {
     const std::string said = issues_of(step("first", "=a.M_max") + step("a", "=b.M_max") + step("b", "=a.M_max"));
     CHECK(said.starts_with("a.toml:5:2: error: circular reference between steps: a -> b -> a\n"));
     CHECK(said.find("first") == std::string::npos);
+  }
+
+  TEST_CASE("a default value is certain if no record of a mechanism may replace it") {
+    const std::string circle = "circular reference between steps: press -> rod -> press";
+    CHECK(issues_of(press_and_rod("press.links.rod")).find(circle) != std::string::npos);
+    CHECK(order_of(press_and_rod("press.links.rod", "lambda_max = 200\n")) == std::vector<std::string>{"press", "rod"});
+    const std::string unknown = issues_of(press_and_rod("hammer.links.rod"));
+    CHECK_MESSAGE(unknown.find("hammer") != std::string::npos, unknown);
+    CHECK_MESSAGE(unknown.find("circular") == std::string::npos, unknown);
   }
 }

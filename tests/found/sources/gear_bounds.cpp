@@ -49,6 +49,21 @@ TEST_SUITE("found gear bounds") {
     CHECK(pitting("", running, shaft_with("K_A = 1.75\n")) == "not-judged");
   }
 
+  TEST_CASE("a bearing whose place is not known yet does not make a pinion overhung") {
+    const std::string both = "mounting = \"both_straddled\"\nL_h = \"1000 h\"\n";
+    const std::string spacer =
+        "[spacer]\ncalculator = \"shaft.torsion\"\nT = \"20 N*m\"\nd = \"20 mm\"\ntau_adm = \"40 MPa\"\n";
+    const auto state = [&](const std::string& left, const std::string& right) {
+      std::string shaft = shaft_with("");
+      shaft.replace(shaft.find("30 mm"), 5, "140 mm").replace(shaft.find("200 mm"), 6, right);
+      return pitting("", both, shaft.replace(shaft.find("80 mm"), 5, left) + spacer);
+    };
+    CHECK(state("200 mm", "80 mm") == "pass");
+    CHECK(state("=10*spacer.d_max", "80 mm") == "pass");
+    CHECK(state("200 mm", "=4*spacer.d_max") == "pass");
+    CHECK(state("200 mm", "160 mm") == "not-judged");
+  }
+
   TEST_CASE("load cycles and the temperature of gears next to [values]") {
     const std::string cycles = "mounting = \"one_straddled\"\nN = 5.4e6\n";  // 100 h
     CHECK(pitting("[values]\nL_h = \"50 h\"\n\n", cycles) == "pass");

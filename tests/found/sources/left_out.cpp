@@ -89,6 +89,21 @@ TEST_SUITE("found loads left out") {
     CHECK(state("P = \"8 kW\"", T_1) == "not-judged");
   }
 
+  TEST_CASE("a component of [values] that a resultant does not include") {
+    const auto state = [](const std::string& name, const std::string& lines) {
+      return mode_of(solved_as_found("[values]\n" + name +
+                                     " = \"900 N\"\n\n[f]\ncalculator = \"dynamics.force\"\n"
+                                     "m = \"3 kg\"\nx = \"3 m*sin(pi*t/(1 s))\"\nt = \"0.2 s\"\n" +
+                                     lines),
+                     "f", "stated_values");
+    };
+    for (const std::string name : {"F_x", "F_y", "F_z"}) {
+      CHECK_MESSAGE(state(name, "") == "not-judged", name);
+      CHECK_MESSAGE(state(name, name + " = \"=values." + name + "\"\n") == "none", name);
+      CHECK_MESSAGE(state(name, "because." + name + " = \"of the lever\"\n") == "none", name);
+    }
+  }
+
   TEST_CASE("an application factor that is divided out of a rated load of [values] and applied again") {
     const auto state = [](const std::string& P, const std::string& K_A) {
       return mode_of(solved_as_found("[values]\nP = \"4 kW\"\nP_design = \"6 kW\"\nK_A = 1.5\n\n[b]\ncalculator = "

@@ -22,6 +22,8 @@ TEST_SUITE("found loads left out") {
     CHECK(state(shaft_beside("T_start = \"900 N*m\"")) == "not-judged");
     CHECK(state(shaft_beside("T_start = \"-900 N*m\"")) == "not-judged");
     CHECK(state(shaft_beside("T_start = \"900 N*m\"", "because.T = \"a clutch limits it\"")) == "pass");
+    CHECK(state(shaft_beside("T_test = \"900 N*m\"")) == "not-judged");
+    CHECK(state(shaft_beside("T_t = \"900 N*m\"")) == "not-judged");
     CHECK(state(shaft_beside("T_idle = \"90 N*m\"")) == "pass");
     CHECK(state(shaft_beside("T_of_the_screws = \"900 N*m\"")) == "pass");
     CHECK(state(shaft_beside("T_start = \"1.2 kJ\"")) == "pass");

@@ -133,4 +133,12 @@ TEST_SUITE("conclusions") {
     mode.state = State::pass;
     CHECK_FALSE(is_ranked(mode));
   }
+
+  TEST_CASE("a gap that another calculator closes names it") {
+    account::Mode mode = mode_with(State::open);
+    mode.use = "shaft.design";
+    CHECK(account::reason(mode).text() == "replace with a step of shaft.design");
+    mode.judge = "shaft.key";
+    CHECK(account::reason(mode).text() == "add a step of shaft.key");
+  }
 }

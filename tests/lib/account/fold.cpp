@@ -207,6 +207,7 @@ TEST_SUITE("fold") {
     for (const State state : {State::not_judged, State::not_covered, State::not_available, State::fail})
       CHECK_FALSE(passes({mode_of(State::pass), mode_of(state)}));
     CHECK_FALSE(passes(strictly({mode_of(State::pass), mode_of(State::open)})));
+    CHECK(worst(strictly({mode_of(State::open)})) == State::not_judged);
   }
 
   TEST_CASE("groups and headline follow from the states") {

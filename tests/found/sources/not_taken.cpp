@@ -72,9 +72,17 @@ TEST_SUITE("found values not taken") {
           "d_nozzle = \"400 mm\"", "N_cycles = 1e6", "T_min = \"-60 degC\""})
       CHECK_MESSAGE(state(values, shell, "s", "strength") == "not-judged", values);
     for (const char* const values :
-         {"z_l = 1", "weld_factor = 1", "c = \"0.5 mm\"", "p_valve = \"1.1 MPa\"", "N_cycles = 100"})
+         {"z_l = 1", "weld_factor = 1", "c = \"0.5 mm\"", "p_valve = \"1.1 MPa\"", "N_cycles = 100", "fill = 0.85"})
       CHECK_MESSAGE(state(values, shell, "s", "strength") == "pass", values);
     CHECK(state("d_nozzle = \"400 mm\"", shell + "accept.nozzles = \"sheet 3\"\n", "s", "strength") == "pass");
+  }
+
+  TEST_CASE("a length of [values] next to a key: a shorter key carries less") {
+    const std::string key =
+        "[k]\ncalculator = \"shaft.key\"\ntorque = \"one_way\"\nT = \"100 N*m\"\nK_A = 1.5\nd = \"50 mm\"\nkey = "
+        "\"14x9\"\nl = \"45 mm\"\nl_n = \"50 mm\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"200 MPa\"\nR_e_k = \"420 MPa\"\n";
+    CHECK(state("l = \"60 mm\"", key, "k", "shear") == "pass");
+    CHECK(state("l = \"30 mm\"", key, "k", "shear") == "not-judged");
   }
 
   TEST_CASE("an overspeed, a dynamic factor, a reliability") {

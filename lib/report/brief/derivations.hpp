@@ -16,7 +16,8 @@ struct Derivations {
   double height = 0.0;            // mm
 };
 /// The derivation of the governing mode of each component, in the order of the rows, as far as the height suffices, mm.
-/// At most 30 lines of each are set in full; the lines before are a text, so that each factor has its formula or source.
+/// At most 30 lines of each are set in full; the lines before are a text, so that each factor has its formula or
+/// source.
 Derivations governing_derivations(const project::Project& project, const std::vector<Governing>& rows, double height);
 
 /// The height of a derivation as it is set, mm.

@@ -19,7 +19,7 @@ namespace {
 using account::Derived;
 
 constexpr std::size_t most_lines = 30;
-constexpr double heading_height = 8.5, page_width = 171.0;  // mm
+constexpr double heading_height = 8.5;  // mm
 
 bool has_fraction(const std::string& formula) { return formula.find_first_of("/^") != std::string::npos; }
 

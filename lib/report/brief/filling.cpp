@@ -14,8 +14,6 @@ namespace loadpath::report {
 
 namespace {
 
-constexpr double page_width = 171.0;  // mm, without the gap between columns
-
 /// With figures, as the style sheet limits them. A single stack is as wide as the page.
 double full_height(const Band& band) {
   constexpr double of_figure = 75.0;  // mm

@@ -5,6 +5,8 @@
 
 namespace loadpath::report {
 
+constexpr double page_width = 171.0;  // mm, without the gap between columns
+
 /// The height of paragraphs and tables under a heading, in a column of a width, mm.
 double height_of(const Panel& panel, double width);
 /// The height of the highest stack of a band, mm.

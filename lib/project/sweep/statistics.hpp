@@ -27,10 +27,10 @@ struct Objective {
 };
 
 struct Keep {
-  std::size_t worst = 5;              // points with the largest utilisation
-  std::vector<Objective> objectives;  // none: no Pareto set
-  std::vector<SweptDemand> demands;   // on its designs
-  double quantile = 0.99;             // of the samples of a design
+  std::size_t worst = 5;                   // points with the largest utilisation
+  std::vector<Objective> objectives = {};  // none: no Pareto set
+  std::vector<SweptDemand> demands = {};   // on its designs
+  double quantile = 0.99;                  // of the samples of a design
 };
 
 /// The frequency of each state of a mode, or of the project, and the point of maximum utilisation.

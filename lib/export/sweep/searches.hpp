@@ -1,8 +1,8 @@
 // What a search over the inputs of a project, or a look at their influence, has found as JSON, in SI.
 #pragma once
 
-#include "lib/project/sweep/best.hpp"
-#include "lib/project/sweep/influence.hpp"
+#include "lib/project/sweep/studies/best.hpp"
+#include "lib/project/sweep/studies/influence.hpp"
 
 #include <string>
 

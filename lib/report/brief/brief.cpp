@@ -24,7 +24,6 @@ namespace {
 using project::Project;
 
 constexpr double half = 84.0, other_half = 87.0, narrow = 66.0, wide = 105.0;  // shares of the grid, mm
-constexpr double page_height = 252.0;                                          // mm
 constexpr double first_page = 266.0, title_height = 47.0;                      // with the verdict below the title, mm
 constexpr double size_line = 3.5, sizes_heading = 17.0;                        // of the table of sizes, mm
 constexpr std::size_t most_modes = 10;

@@ -59,7 +59,6 @@ Table fitting(Table sources, double height) {
 }
 
 void fill_first(double free, std::vector<Page>& pages) {
-  constexpr double page_height = 252.0;  // mm
   std::vector<Band>& next = pages[1].bands;
   auto end = next.begin();
   for (; end != next.end() && full_height(*end) <= free; ++end) free -= full_height(*end);

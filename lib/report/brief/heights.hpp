@@ -5,7 +5,8 @@
 
 namespace loadpath::report {
 
-constexpr double page_width = 171.0;  // mm, without the gap between columns
+constexpr double page_width = 171.0;   // mm, without the gap between columns
+constexpr double page_height = 252.0;  // mm
 
 /// The height of paragraphs and tables under a heading, in a column of a width, mm.
 double height_of(const Panel& panel, double width);

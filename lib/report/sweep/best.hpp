@@ -1,7 +1,7 @@
 // The best design of a project, or the value at which a result reaches its target, as a document.
 #pragma once
 
-#include "lib/project/sweep/best.hpp"
+#include "lib/project/sweep/studies/best.hpp"
 #include "lib/report/document.hpp"
 
 namespace loadpath::report {

@@ -1,7 +1,7 @@
 // The inputs that influence a result, as tables and figures.
 #pragma once
 
-#include "lib/project/sweep/influence.hpp"
+#include "lib/project/sweep/studies/influence.hpp"
 #include "lib/report/document.hpp"
 
 namespace loadpath::report {

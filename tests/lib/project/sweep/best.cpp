@@ -1,8 +1,8 @@
 // The best machine against all machines, values that are sought against closed forms, influence against derivatives.
-#include "lib/project/sweep/best.hpp"
+#include "lib/project/sweep/studies/best.hpp"
 
 #include "lib/project/solving/read_project.hpp"
-#include "lib/project/sweep/influence.hpp"
+#include "lib/project/sweep/studies/influence.hpp"
 #include "lib/report/sweep/best.hpp"
 #include "tests/lib/project/solved.hpp"
 #include "tests/lib/project/sweep/swept.hpp"

@@ -1,4 +1,4 @@
-#include "lib/project/sweep/influence.hpp"
+#include "lib/project/sweep/studies/influence.hpp"
 
 #include "lib/project/sweep/plan.hpp"
 #include "lib/project/sweep/ranges.hpp"

@@ -1,4 +1,4 @@
-#include "lib/project/sweep/best.hpp"
+#include "lib/project/sweep/studies/best.hpp"
 
 #include "lib/project/sweep/columns.hpp"
 #include "lib/project/sweep/ranges.hpp"

@@ -51,13 +51,16 @@ std::vector<GearOnShaft> gears_on(const Step& shaft, const Project& project) {
     if (source == nullptr || !has_id(*source, "gear.pair") || (gear != "gear_1" && gear != "gear_2")) continue;
     GearOnShaft found;
     found.seat = prefix_of(record.path), found.pair = pair, found.is_first = gear == "gear_1";
-    const std::string number = found.is_first ? "1" : "2";
     found.x = own_value(shaft, project, found.seat + "x"), found.b = magnitude_at(project, record.source + ".b_r");
     found.m_n = magnitude_at(project, pair + ".m_n"), found.a = distance_of_axes(project, pair);
-    found.d_f = magnitude_at(project, pair + ".d_f" + number);
+    found.d_f = magnitude_at(project, pair + (found.is_first ? ".d_f1" : ".d_f2"));
     found.has_angle = is_given(shaft.input().reading, found.seat + "angle");
-    found.body = {Cylinder::Kind::gear,    found.seat + "x",        "gear " + number + " of " + quoted(pair),
-                  found.x - found.b / 2.0, found.x + found.b / 2.0, magnitude_at(project, pair + ".d_a" + number)};
+    found.body = {Cylinder::Kind::gear,
+                  found.seat + "x",
+                  (found.is_first ? "gear 1 of " : "gear 2 of ") + quoted(pair),
+                  found.x - found.b / 2.0,
+                  found.x + found.b / 2.0,
+                  magnitude_at(project, pair + (found.is_first ? ".d_a1" : ".d_a2"))};
     all.push_back(std::move(found));
   }
   return all;

@@ -118,7 +118,7 @@ std::string short_value(const Entry& entry) {
   if (!is_series && is_safety(entry)) return unbroken(safety_number(si));
   const bool as_typed = !is_series && is_typed(entry) && std::isfinite(si);
   std::string text = as_typed ? format_quantity(si, entry.unit, digits) : short_quantity(si, entry.unit);
-  if (as_typed && text.find_first_of("e") < text.find(' '))  // "2e7 mm⁴"
+  if (as_typed && text.find_first_of('e') < text.find(' '))  // "2e7 mm⁴"
     text = formula::quantity_plain(written({si, entry.unit, digits}));
   if (text.starts_with('-')) text.replace(0, 1, "\u2212");
   if (constexpr std::string_view degrees = " deg"; text.ends_with(degrees))

@@ -1,16 +1,14 @@
 // A shaft on its bearings: reactions, moments, deflection, slope, twist, strength, fatigue and critical speeds.
 //
-// Decides what the bearings carry and how the shaft bends in two planes, by beams with shear; the largest equivalent
-// stress of each section (von Mises) against yielding; the safety of each notch against fatigue of a turning shaft by
-// four schools of [Shigley7], with the fatigue limit of the part by Marin, by [DIN743], [FKM], Serensen; slopes,
-// deflection and the critical speeds in bending and in torsion. Axes: z along the shaft from its left end, X and Y
-// across it, Y a quarter turn from X about z. Constant forces are fixed in space while the shaft rotates: bending
-// alternates, axial stress stays, torsion runs from r_T T to T. Loads over a cycle of a mechanism are used in full:
-// each point of the circumference, which turns with the shaft by psi, has its own amplitude and mean, and the worst
-// decides; amplitudes of bending, of the force along the shaft and of torsion count as if they came at once. Tapers
-// bend and twist by the flexibility of their sections, and are judged where they are weakest, up to 10 degrees;
-// notches on them are those of a cylinder as thick. Critical speeds in bending are those of forward whirl with the
-// moments that turn discs out of their planes. Not covered: bearings that are softer in one plane, or damp; life.
+// Reactions and bending in two planes by beams with shear; yielding of each section by von Mises; fatigue of each notch
+// by four criteria of [Shigley7] with the limit by Marin, and by [DIN743], [FKM], Serensen; slopes, deflection and
+// critical speeds in bending and torsion. Axes: z along the shaft from its left end, X and Y across it, Y a quarter
+// turn from X about z. Constant forces are fixed in space while the shaft rotates: bending alternates, axial stress
+// stays, torsion runs from r_T T to T. Loads over a cycle of a mechanism count in full: each point of the
+// circumference, which turns with the shaft by psi, has its own amplitude and mean, and the worst governs; amplitudes
+// of bending, axial force and torsion are taken as simultaneous. Tapers up to 10 degrees bend and twist by the
+// flexibility of their sections and are assessed at the weakest one, their notches as those of a cylinder of that
+// diameter. Critical speeds in bending: forward whirl with gyroscopic moments. Not covered: unequal or damped bearings.
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"

@@ -30,8 +30,9 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
 
 void CalculatorStep::solve_without(const std::set<std::string>& inputs, const Known& known) {
   Evaluation evaluation(*this, known);
-  std::vector<Issue> told;  // reported again by the complete solution
-  if (!evaluation.inputs().take_from_others(told) || !evaluation.inputs().evaluate_operands(told, inputs)) return;
+  std::vector<Issue> reported;  // again by the complete solution
+  if (!evaluation.inputs().take_from_others(reported) || !evaluation.inputs().evaluate_operands(reported, inputs))
+    return;
   Findings found{.results = evaluate_all(evaluation)};
   found.governing = evaluate_governing(evaluation, found.results, false);
   fill_account(evaluation, found, {.pictures = false, .formulas = false, .unused = false, .words = false},
@@ -56,8 +57,8 @@ std::vector<RowOfSearch> CalculatorStep::rows_of_search(const std::vector<std::s
 std::vector<std::size_t> CalculatorStep::first_rows_that_pass(const Known& known,
                                                               std::span<const std::size_t> alike) const {
   Evaluation evaluation(*this, known);
-  std::vector<Issue> told;  // reported by the complete solution
-  if (!evaluation.inputs().take_from_others(told) || !evaluation.inputs().evaluate_operands(told))
+  std::vector<Issue> reported;  // by the complete solution
+  if (!evaluation.inputs().take_from_others(reported) || !evaluation.inputs().evaluate_operands(reported))
     return std::vector<std::size_t>(alike.size(), alike.size());
   return project::first_rows_that_pass(evaluation, alike);
 }

@@ -40,12 +40,12 @@ bool is_loaded(const Inputs& inputs) {
 }
 
 /// Whether a load is given; an omitted one, or a default of zero, requires no verdict on loads.
-bool is_load_told(const Evaluation& evaluation) {
-  bool told = false;
+bool is_load_given(const Evaluation& evaluation) {
+  bool is_typed_load = false;
   for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
-    told = told || (leaf.field->is_load && evaluation.step().input().reading.typed.contains(path));
+    is_typed_load = is_typed_load || (leaf.field->is_load && evaluation.step().input().reading.typed.contains(path));
   });
-  return told;
+  return is_typed_load;
 }
 
 /// Whether a mode of strength is utilised: a part under loads other than the declared ones, a liquid, its own speed, is
@@ -75,7 +75,7 @@ void add_missing_load(const Evaluation& evaluation, const Results& results,
   const auto bears = [&](const ModeInfo& mode) { return is_utilised(mode, verdicts); };
   const auto is_limited = [&](const ModeInfo& mode) { return mode.is_limit && !rows_of(mode, verdicts).empty(); };
   if (results.series.empty() || is_loaded(evaluation.inputs()) || std::any_of(all.begin(), all.end(), bears)) return;
-  if (is_load_told(evaluation)) {
+  if (is_load_given(evaluation)) {
     const auto is_strength = [](const ModeInfo& mode) { return mode.kind == ModeKind::strength; };
     if (std::any_of(all.begin(), all.end(), is_strength))
       modes.push_back(load_to_give(evaluation, say("all loads are zero: no strength assessment")));

@@ -60,7 +60,7 @@ double least_of_row(const table::Entry& row, std::string_view column) {
 
 /// Whether a typed value may be above the value of a row at one size and below it at another: not if the row is
 /// larger at every size.
-bool hangs_on_size(const table::Entry& row, std::string_view column, double part, double typed) {
+bool depends_on_size(const table::Entry& row, std::string_view column, double part, double typed) {
   return !(typed <= part * least_of_row(row, column));
 }
 
@@ -120,7 +120,7 @@ void add_rows_beside(const Evaluation& evaluation, const Results& results, std::
       all.push_back({field.key, inputs.leaf(field.key), {{field.dimension, nullptr}, {si}}, source, beside_of(field)});
       const bool is_capacity = all.back().kind == Beside::capacity;
       const double typed = largest_magnitude(inputs.value_of(field.key, all.back().leaf));
-      all.back().by_size = *from.size != '\0' && (!is_capacity || hangs_on_size(*row, from.column, 1.0, typed));
+      all.back().by_size = *from.size != '\0' && (!is_capacity || depends_on_size(*row, from.column, 1.0, typed));
       all.back().row_of = from.table;
       if (is_capacity) all.back().safe = safe_below(*from.size == '\0' ? si : least_of_row(*row, from.column));
     }
@@ -210,7 +210,7 @@ bool may_change(const Evaluation& evaluation, const char* column, double part, d
   const auto of_material = std::find_if(provided.begin(), provided.end(), [&](const Provided& p) {
     return p.path == column && p.field->provider.table == std::string_view("material");
   });
-  return of_material == provided.end() || hangs_on_size(of_material->entry, column, part, typed);
+  return of_material == provided.end() || depends_on_size(of_material->entry, column, part, typed);
 }
 
 /// The least value that a strength of the part, `now`, has at any point of a sweep; NaN if it may have any.

@@ -21,59 +21,63 @@ Message shown(const FieldInfo& field, double si) {
   return say("{1}", field.type == FieldInfo::Type::count ? format_number(si) : format_quantity(si, field.unit, 5));
 }
 
-double typed_value(const Evaluation& evaluation, const Neighbour& beside) {
-  return largest_magnitude(evaluation.inputs().value_of(beside.path, beside.leaf));
+double typed_value(const Evaluation& evaluation, const Neighbour& neighbour) {
+  return largest_magnitude(evaluation.inputs().value_of(neighbour.path, neighbour.leaf));
 }
 
 /// By the digits of the text; for a value that is not typed only the rounding error.
-double rounding_of(const Evaluation& evaluation, const Neighbour& beside) {
+double rounding_of(const Evaluation& evaluation, const Neighbour& neighbour) {
   const auto& typed = evaluation.step().input().reading.typed;
-  const auto text = typed.find(beside.path);
+  const auto text = typed.find(neighbour.path);
   return relative_rounding(text == typed.end() ? "" : text->second.text);
 }
 
 /// The first of the typed values that is not usual.
-double unusual_value(const Evaluation& evaluation, const Neighbour& beside) {
-  const Value typed = evaluation.inputs().value_of(beside.path, beside.leaf);
-  const Range& usual = beside.leaf.field->plausible;
+double unusual_value(const Evaluation& evaluation, const Neighbour& neighbour) {
+  const Value typed = evaluation.inputs().value_of(neighbour.path, neighbour.leaf);
+  const Range& usual = neighbour.leaf.field->plausible;
   return *std::find_if(typed.si.begin(), typed.si.end(), [&](double x) { return !std::isnan(x) && !usual.holds(x); });
 }
 
 /// The excess of a value over its bound: "R_e = 960 MPa, above 225 MPa of the material 'S235JR'".
-Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
-  const FieldInfo& field = *beside.leaf.field;
-  const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
+Message excess_of(const Evaluation& evaluation, const Neighbour& neighbour) {
+  const FieldInfo& field = *neighbour.leaf.field;
+  const double typed = typed_value(evaluation, neighbour), other = largest_magnitude(neighbour.value);
   if (field.type == FieldInfo::Type::choice)
-    return say("{1} = {2} instead of {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
-  if (beside.kind == Beside::usual) return unusual(beside.path, field, unusual_value(evaluation, beside));
-  if (beside.kind == Beside::either)
-    return say("{1} = {2}, and {3} has {4}", beside.path, shown(field, typed), beside.source, shown(field, other));
-  if (beside.is_unassessed) return say("{1} = {2} is not the result of a step", beside.path, shown(field, typed));
-  if (beside.is_full)
-    return say("{1} = {2} has next to no safety factor against {3}", beside.path, shown(field, typed), beside.source);
-  return beside.kind == Beside::capacity
-             ? say("{1} = {2}, above {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source)
-             : say("{1} = {2}, below {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
+    return say("{1} = {2} instead of {3} of {4}", neighbour.path, shown(field, typed), shown(field, other),
+               neighbour.source);
+  if (neighbour.kind == Beside::usual) return unusual(neighbour.path, field, unusual_value(evaluation, neighbour));
+  if (neighbour.kind == Beside::either)
+    return say("{1} = {2}, and {3} has {4}", neighbour.path, shown(field, typed), neighbour.source,
+               shown(field, other));
+  if (neighbour.is_unassessed) return say("{1} = {2} is not the result of a step", neighbour.path, shown(field, typed));
+  if (neighbour.is_full)
+    return say("{1} = {2} has next to no safety factor against {3}", neighbour.path, shown(field, typed),
+               neighbour.source);
+  return neighbour.kind == Beside::capacity ? say("{1} = {2}, above {3} of {4}", neighbour.path, shown(field, typed),
+                                                  shown(field, other), neighbour.source)
+                                            : say("{1} = {2}, below {3} of {4}", neighbour.path, shown(field, typed),
+                                                  shown(field, other), neighbour.source);
 }
 
 /// All neighbours with a value, apart from derived bounds.
 std::vector<Neighbour> all_beside(const Evaluation& evaluation, const Results& results, const Known& known) {
   std::vector<Neighbour> all = neighbours_of(evaluation, results, known);
   add_sources_beside(evaluation, known, all);
-  std::erase_if(all, [](const Neighbour& beside) { return std::isnan(largest_magnitude(beside.value)); });
+  std::erase_if(all, [](const Neighbour& neighbour) { return std::isnan(largest_magnitude(neighbour.value)); });
   return all;
 }
 
 /// Notes with what a typed value is compared. A value of another step of the body that has a reason decides nothing.
-void note_compared(const StepInput& step, const Neighbour& beside, WeighedValues& weighed) {
-  if (beside.is_of_body && reason_for(step, beside.path) != nullptr) return;
-  const auto is_it = [&](const auto& one) { return one.path == beside.path; };
+void note_compared(const StepInput& step, const Neighbour& neighbour, WeighedValues& weighed) {
+  if (neighbour.is_of_body && reason_for(step, neighbour.path) != nullptr) return;
+  const auto is_it = [&](const auto& one) { return one.path == neighbour.path; };
   const Reading& reading = step.reading;
   const bool varies = std::ranges::any_of(reading.varied, is_it) || std::ranges::any_of(reading.operands, is_it);
-  const bool is_asked_anyway = varies && !std::isnan(beside.safe);  // at each point, whether it is safe
-  weighed.compared_by_size = weighed.compared_by_size || (beside.by_size && !is_asked_anyway);
-  double& safe = weighed.compared.try_emplace(beside.path, beside.safe).first->second;
-  if (!(safe <= beside.safe)) safe = std::isnan(safe) ? safe : beside.safe;
+  const bool is_checked_anyway = varies && !std::isnan(neighbour.safe);  // at each point, whether it is safe
+  weighed.compared_by_size = weighed.compared_by_size || (neighbour.by_size && !is_checked_anyway);
+  double& safe = weighed.compared.try_emplace(neighbour.path, neighbour.safe).first->second;
+  if (!(safe <= neighbour.safe)) safe = std::isnan(safe) ? safe : neighbour.safe;
 }
 
 /// The neighbours less favourable than the typed value.
@@ -82,20 +86,21 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
   std::vector<Neighbour> bolder;
   std::vector<Neighbour> all = all_beside(evaluation, results, known);
   add_bounds_beside(evaluation, known, all);
-  for (Neighbour& beside : all) {
-    note_compared(evaluation.step().input(), beside, weighed);
-    if (is_of_one_part(beside.kind)) continue;
-    const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
-    const bool is_the_same = std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside));
-    const bool lacks_margin = beside.margin > 0.0 && beside.margin * typed > other && typed < other;
-    if ((is_the_same && beside.margin > 0.0 && !std::isnan(typed)) || lacks_margin) {
-      beside.is_full = true;
-      for (double& si : beside.value.si) si *= 0.5;  // a lower value shows which checks it decides
-      bolder.push_back(std::move(beside));
+  for (Neighbour& neighbour : all) {
+    note_compared(evaluation.step().input(), neighbour, weighed);
+    if (is_of_one_part(neighbour.kind)) continue;
+    const double typed = typed_value(evaluation, neighbour), other = largest_magnitude(neighbour.value);
+    const bool is_the_same =
+        std::isnan(typed) || is_equal(neighbour.kind, typed, other, rounding_of(evaluation, neighbour));
+    const bool lacks_margin = neighbour.margin > 0.0 && neighbour.margin * typed > other && typed < other;
+    if ((is_the_same && neighbour.margin > 0.0 && !std::isnan(typed)) || lacks_margin) {
+      neighbour.is_full = true;
+      for (double& si : neighbour.value.si) si *= 0.5;  // a lower value shows which checks it decides
+      bolder.push_back(std::move(neighbour));
       continue;
     }
-    if (is_the_same && beside.kind != Beside::usual) continue;
-    if (is_bolder(beside.kind, typed, other)) bolder.push_back(std::move(beside));
+    if (is_the_same && neighbour.kind != Beside::usual) continue;
+    if (is_bolder(neighbour.kind, typed, other)) bolder.push_back(std::move(neighbour));
   }
   return bolder;
 }
@@ -111,16 +116,16 @@ bool is_same_in(const Results& others, const ResultSeries& series) {
 }
 
 /// Evaluates with the neighbour in place of the typed value.
-Results results_with(Evaluation& evaluation, const Neighbour& beside) {
+Results results_with(Evaluation& evaluation, const Neighbour& neighbour) {
   Inputs& inputs = evaluation.inputs();
-  const Value typed = inputs.value_of(beside.path, beside.leaf);
-  Value instead = beside.value;
-  const bool may_be_series = inputs.find_computed(beside.path) != nullptr;
+  const Value typed = inputs.value_of(neighbour.path, neighbour.leaf);
+  Value instead = neighbour.value;
+  const bool may_be_series = inputs.find_computed(neighbour.path) != nullptr;
   if (instead.is_series() && (!may_be_series || instead.signature.axis != evaluation.axis()))
     instead = {{instead.signature.dimension, nullptr}, {largest_magnitude(instead)}};
-  inputs.set_value(beside.path, beside.leaf, instead);
+  inputs.set_value(neighbour.path, neighbour.leaf, instead);
   Results results = evaluate_all(evaluation);
-  inputs.set_value(beside.path, beside.leaf, typed);
+  inputs.set_value(neighbour.path, neighbour.leaf, typed);
   return results;
 }
 
@@ -147,11 +152,11 @@ bool is_lower_in_the_first(const ResultSeries& first, const Results& second) {
 }
 
 /// Whether a value that no step has found is so far outside its usual range that its unit may be wrong: by a quarter.
-bool is_far_from_usual(const Evaluation& evaluation, const Neighbour& beside) {
+bool is_far_from_usual(const Evaluation& evaluation, const Neighbour& neighbour) {
   constexpr double far = 1.25;
-  const double typed = unusual_value(evaluation, beside);
-  const Range& usual = beside.leaf.field->plausible;
-  if (is_found(evaluation.step().input().reading, beside.path)) return false;
+  const double typed = unusual_value(evaluation, neighbour);
+  const Range& usual = neighbour.leaf.field->plausible;
+  if (is_found(evaluation.step().input().reading, neighbour.path)) return false;
   return typed > far * usual.high || typed < usual.low / far;
 }
 
@@ -228,18 +233,18 @@ void weigh_results(const Evaluation& evaluation, const Results& results, const K
 }
 
 /// The reason for a size of a body that differs from that of the record of a load: another component takes the load.
-const Typed* reason_for_body(const Evaluation& evaluation, const Neighbour& beside) {
-  return beside.leaf.field->is_of_body ? reason_for(evaluation.step().input(), beside.path) : nullptr;
+const Typed* reason_for_body(const Evaluation& evaluation, const Neighbour& neighbour) {
+  return neighbour.leaf.field->is_of_body ? reason_for(evaluation.step().input(), neighbour.path) : nullptr;
 }
 
 /// How to resolve a typed value that differs from that of a row or a record for the same part.
-Message way_out(const Neighbour& beside) {
-  const FieldInfo& field = *beside.leaf.field;
-  if (!beside.row_of.empty())
-    return say("leave out {1}; another part is a row of your own: [tables.{2}s.NAME]", field.key, beside.row_of);
+Message way_out(const Neighbour& neighbour) {
+  const FieldInfo& field = *neighbour.leaf.field;
+  if (!neighbour.row_of.empty())
+    return say("leave out {1}; another part is a row of your own: [tables.{2}s.NAME]", field.key, neighbour.row_of);
   return field.is_of_body
              ? say("give {1} once, or the same value in both; for another component: because.{2} = \"...\"", field.key,
-                   beside.path)
+                   neighbour.path)
              : say("give {1} once, or the same value in both", field.key);
 }
 
@@ -247,15 +252,16 @@ Message way_out(const Neighbour& beside) {
 void weigh_bodies(const Evaluation& evaluation, const Known& known, std::set<const Typed*>& used,
                   WeighedValues& weighed) {
   if (evaluation.step().input().because.empty()) return;
-  for (const Neighbour& beside : all_beside(evaluation, {}, known)) {
-    const Typed* const reason = is_of_one_part(beside.kind) ? reason_for_body(evaluation, beside) : nullptr;
-    const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
-    if (reason == nullptr || std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside)))
+  for (const Neighbour& neighbour : all_beside(evaluation, {}, known)) {
+    const Typed* const reason = is_of_one_part(neighbour.kind) ? reason_for_body(evaluation, neighbour) : nullptr;
+    const double typed = typed_value(evaluation, neighbour), other = largest_magnitude(neighbour.value);
+    if (reason == nullptr || std::isnan(typed) ||
+        is_equal(neighbour.kind, typed, other, rounding_of(evaluation, neighbour)))
       continue;
     used.insert(reason);
-    const FieldInfo& field = *beside.leaf.field;
-    weighed.reasons.emplace(beside.path, say("{1} = {2}, and {3} has {4}: {5}", beside.path, shown(field, typed),
-                                             beside.source, shown(field, other), reason->text));
+    const FieldInfo& field = *neighbour.leaf.field;
+    weighed.reasons.emplace(neighbour.path, say("{1} = {2}, and {3} has {4}: {5}", neighbour.path, shown(field, typed),
+                                                neighbour.source, shown(field, other), reason->text));
   }
 }
 
@@ -264,15 +270,15 @@ void weigh_bodies(const Evaluation& evaluation, const Known& known, std::set<con
 bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   const StepInput& step = evaluation.step().input();
-  for (const Neighbour& beside : all_beside(evaluation, {}, known)) {
-    if (!is_of_one_part(beside.kind) || reason_for_body(evaluation, beside) != nullptr) continue;
-    const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
-    if (std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside))) continue;
-    const FieldInfo& field = *beside.leaf.field;
-    issues.push_back(issue_at(step, beside.path,
-                              say("{1} = {2} contradicts {3}, which has {4}", beside.path, shown(field, typed),
-                                  beside.source, shown(field, other)),
-                              way_out(beside)));
+  for (const Neighbour& neighbour : all_beside(evaluation, {}, known)) {
+    if (!is_of_one_part(neighbour.kind) || reason_for_body(evaluation, neighbour) != nullptr) continue;
+    const double typed = typed_value(evaluation, neighbour), other = largest_magnitude(neighbour.value);
+    if (std::isnan(typed) || is_equal(neighbour.kind, typed, other, rounding_of(evaluation, neighbour))) continue;
+    const FieldInfo& field = *neighbour.leaf.field;
+    issues.push_back(issue_at(step, neighbour.path,
+                              say("{1} = {2} contradicts {3}, which has {4}", neighbour.path, shown(field, typed),
+                                  neighbour.source, shown(field, other)),
+                              way_out(neighbour)));
   }
   return issues.size() == before;
 }
@@ -283,28 +289,29 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
   const StepInput& step = evaluation.step().input();
   std::set<const Typed*> used;
   std::vector<Neighbour> all = bolder_ones(evaluation, results, known, weighed);
-  const auto reason_of = [&](const Neighbour& beside) { return reason_for(step, beside.path); };
+  const auto reason_of = [&](const Neighbour& neighbour) { return reason_for(step, neighbour.path); };
   // Values that hold back a mode are reported before the others.
-  std::stable_partition(all.begin(), all.end(), [&](const Neighbour& beside) { return reason_of(beside) == nullptr; });
+  std::stable_partition(all.begin(), all.end(),
+                        [&](const Neighbour& neighbour) { return reason_of(neighbour) == nullptr; });
   const bool has_results = !results.series.empty();
-  for (const Neighbour& beside : all) {
-    const Typed* const reason = reason_of(beside);
-    const Message excess = excess_of(evaluation, beside);
+  for (const Neighbour& neighbour : all) {
+    const Typed* const reason = reason_of(neighbour);
+    const Message excess = excess_of(evaluation, neighbour);
     if (reason != nullptr) {
       used.insert(reason);
-      weighed.reasons.emplace(beside.path, say("{1}: {2}", excess, reason->text));
+      weighed.reasons.emplace(neighbour.path, say("{1}: {2}", excess, reason->text));
     }
     weighed.holds_back = weighed.holds_back || (reason == nullptr && has_results);
     if (!has_results || (reason != nullptr && !wanted.unused)) continue;
-    const Bolder bolder =
-        reason != nullptr
-            ? Bolder{"", weighed.reasons.at(beside.path)}
-            : Bolder{"because." + beside.path, say("{1}; give the reason: because.{2} = \"...\"", excess, beside.path)};
-    const bool is_far = beside.kind == Beside::usual && is_far_from_usual(evaluation, beside);
+    const Bolder bolder = reason != nullptr
+                              ? Bolder{"", weighed.reasons.at(neighbour.path)}
+                              : Bolder{"because." + neighbour.path,
+                                       say("{1}; give the reason: because.{2} = \"...\"", excess, neighbour.path)};
+    const bool is_far = neighbour.kind == Beside::usual && is_far_from_usual(evaluation, neighbour);
     const bool only_changes =
-        mark_decided(results, results_with(evaluation, beside), bolder, beside.kind, is_far, weighed);
-    const bool goes_on = beside.kind != Beside::usual || is_concluded_elsewhere(step, wanted.taken);
-    const bool stays = is_of_row(evaluation, beside.path);
+        mark_decided(results, results_with(evaluation, neighbour), bolder, neighbour.kind, is_far, weighed);
+    const bool goes_on = neighbour.kind != Beside::usual || is_concluded_elsewhere(step, wanted.taken);
+    const bool stays = is_of_row(evaluation, neighbour.path);
     if (((only_changes && goes_on) || stays) && reason == nullptr) weighed.handed_on.push_back(bolder);
   }
   if (!all.empty() && has_results) evaluate_all(evaluation);  // restored

@@ -86,9 +86,10 @@ void refuse_ranges(const Project& project, std::vector<Issue>& issues) {
   for (const auto& step : project.steps) {
     for (const Varied& varied : step->input().reading.varied) {
       const std::string key = step->name() + "." + varied.path;
-      const bool told = !issues.empty() && issues.back().place.line == varied.place.line &&
-                        issues.back().place.column == varied.place.column;  // from a record that is taken in turn
-      if (told) continue;
+      const bool is_reported =
+          !issues.empty() && issues.back().place.line == varied.place.line &&
+          issues.back().place.column == varied.place.column;  // from a record that is taken in turn
+      if (is_reported) continue;
       issues.push_back(
           varied.distribution
               ? taken_of(*varied.distribution, varied.place, key, varied.path)

@@ -20,7 +20,40 @@ job() {
   return $status
 }
 
-# tests NAME COMMAND...: the same for a command that runs ctest, whose tests count too.
+# begin NAME COMMAND...: starts a job with what the jobs of the foreground leave of the processors: many of them keep only one
+# busy. One job at a time; `ended` waits for it, prints its log and counts it.
+begin() {
+  begun=$1
+  shift
+  local started=$SECONDS
+  set -m  # a process group of its own, which ends as a whole
+  (
+    renice -n 5 -p $BASHPID >/dev/null
+    "$@" >"$logs/$begun.log" 2>&1 </dev/null
+    status=$?
+    echo $((SECONDS - started)) >"$logs/$begun.seconds"
+    exit $status
+  ) &
+  group=$!
+  set +m
+}
+group=""  # of the job in the background
+trap '[ -z "$group" ] || kill -- "-$group" 2>/dev/null' EXIT
+
+ended() {
+  local waited=$SECONDS status outcome=passed
+  wait "$group"
+  status=$?
+  group=""
+  printf '\n== %s\n' "$begun"
+  cat "$logs/$begun.log"
+  if [ $status = 0 ]; then passed=$((passed + 1)); else failed=$((failed + 1)) outcome=FAILED; fi
+  table+="$((SECONDS - waited))|$begun|$outcome"$'\n'
+  printf '== %s: %s after %d s, of these %d alone\n' "$begun" $outcome "$(cat "$logs/$begun.seconds")" $((SECONDS - waited))
+  return $status
+}
+
+# tests NAME COMMAND...: a job that runs ctest, whose tests count too.
 tests() {
   job "$@"
   local status=$? total bad

@@ -6,10 +6,14 @@ logs=build/ci
 rm -rf "$logs"
 mkdir -p "$logs"
 
+# Whether a job is to run: all of them, or the one that --only names.
+is_wanted() { [ -z "$only" ] || [ "$only" = "$1" ]; }
+
 # job NAME COMMAND...: runs a command, counts it and keeps what it prints. Its status is the command's.
 job() {
   local name=$1 started=$SECONDS status outcome=passed
   shift
+  is_wanted "$name" || return 0
   log="$logs/$name.log"
   printf '\n== %s\n' "$name"
   (set -o pipefail; "$@" 2>&1 | tee "$log")
@@ -26,6 +30,7 @@ begin() {
   begun=$1
   shift
   local started=$SECONDS
+  is_wanted "$begun" || return 0
   set -m  # a process group of its own, which ends as a whole
   (
     renice -n 5 -p $BASHPID >/dev/null
@@ -42,6 +47,7 @@ trap '[ -z "$group" ] || kill -- "-$group" 2>/dev/null' EXIT
 
 ended() {
   local waited=$SECONDS status outcome=passed
+  [ -n "$group" ] || return 0
   wait "$group"
   status=$?
   group=""
@@ -55,6 +61,7 @@ ended() {
 
 # tests NAME COMMAND...: a job that runs ctest, whose tests count too.
 tests() {
+  is_wanted "$1" || return 0
   job "$@"
   local status=$? total bad
   total=$(sed -n 's/.*tests failed out of \([0-9]*\).*/\1/p' "$log" | tail -n 1)
@@ -90,6 +97,7 @@ explain() {
 # The table of the jobs, then what failed, so that the end of the log explains the failure.
 finish() {
   local seconds name outcome
+  [ -n "$table" ] || { echo "error: no job is named \"$only\"" >&2; exit 2; }
   printf '\n%-36s %8s %6s\n' job seconds share
   while IFS='|' read -r seconds name outcome; do
     [ -n "$name" ] || continue

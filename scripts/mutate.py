@@ -7,11 +7,11 @@ mutants are made in the formulas of STEP, the others in plain code. With --rules
 and in the rules of kinds, which are conditions and tables: a condition negated, an early return left out, a row
 dropped, an enumerator in place of another one.
 
-Run it in a clean checkout with a build of the tests; an unoptimised one is built fastest:
-  cmake -G Ninja -B build/mutants -DCMAKE_BUILD_TYPE=Debug && scripts/mutate.py --build build/mutants --seed 1
-  scripts/mutate.py --build build/mutants --only 'lib/account/*,lib/project/references/*'
-  scripts/mutate.py --build build/mutants --rules --count 40
-A mutant may have a warning ("&&" within "||"), so a build for --rules is configured with -DCMAKE_CXX_FLAGS=-w.
+Run it in a clean checkout after scripts/check.sh, whose build it takes:
+  scripts/mutate.py --seed 1
+  scripts/mutate.py --only 'lib/account/*,lib/project/references/*'
+  cmake -G Ninja -B build/mutants -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-w && scripts/mutate.py --build build/mutants --rules
+A mutant of --rules may have a warning ("&&" within "||"): its build has none.
 Ctrl-C and SIGTERM leave the sources as they were.
 """
 import argparse

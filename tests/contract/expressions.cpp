@@ -105,7 +105,7 @@ void replace_numbers(const test::Known& known, bool waits, Share& share) {
 
 void replace_in_all(bool waits) {
   Share share;
-  share.every = test::one_of(10);
+  share.every = test::one_of(20);
   test::Share projects(4);
   for (const test::Known& known : test::known_projects()) {
     if (test::takes(test::elements_of_project(known.text).front()) && !projects.skips())

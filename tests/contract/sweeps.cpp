@@ -256,6 +256,13 @@ void compare_examples(Points points, std::uint64_t seed, const Taken& taken) {
 
 }  // namespace
 
+// Everything is solved again for each design: that takes long where the compiler does not optimise.
+#ifdef __OPTIMIZE__
+constexpr bool is_fast = true;
+#else
+constexpr bool is_fast = false;
+#endif
+
 TEST_SUITE("sweeps and machines of their own" * test::by_element) {
   TEST_CASE("every calculator with its example, some numbers varied") {
     for (const Calculator* calculator : test::calculators_taken()) {
@@ -264,19 +271,13 @@ TEST_SUITE("sweeps and machines of their own" * test::by_element) {
     }
   }
 
-  TEST_CASE("every example, some numbers varied") {
+  // An optimised build compares more points of each below.
+  TEST_CASE("every example, some numbers varied" * doctest::skip(is_fast && !test::sanitized)) {
     compare_examples({3}, 3, [](const std::string&, const std::string& text) {
       return test::takes(test::elements_of_project(text).front());
     });
   }
 }
-
-// Everything is solved again for each design: that takes long where the compiler does not optimise.
-#ifdef __OPTIMIZE__
-constexpr bool is_fast = true;
-#else
-constexpr bool is_fast = false;
-#endif
 
 TEST_SUITE("two hundred points of every example" * test::by_example * test::takes_share) {
   TEST_CASE("a point of a sweep equals its machine solved alone" * doctest::skip(!is_fast)) {

@@ -107,6 +107,13 @@ struct Drawing {
     Point from, to;
   };
   struct View {
+    View();
+    View(const View&);
+    View(View&&) noexcept;
+    View& operator=(const View&);
+    View& operator=(View&&) noexcept;
+    ~View();
+
     std::string title;   // empty if it is the only one
     double share = 1.0;  // share of the page's width; views that fit are side by side
     double most_height = 330.0;

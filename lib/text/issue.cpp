@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -120,6 +121,36 @@ std::size_t distance(std::u32string_view a, std::u32string_view b) {
 }
 
 }  // namespace
+
+Message::Message() = default;
+Message::Message(std::string_view literal, std::span<Argument> taken)
+    : id(literal), args(std::move_iterator(taken.begin()), std::move_iterator(taken.end())) {}
+Message::Message(const Message&) = default;
+Message::Message(Message&&) noexcept = default;
+Message& Message::operator=(const Message&) = default;
+Message& Message::operator=(Message&&) noexcept = default;
+Message::~Message() = default;
+
+Argument::Argument(std::string part) : part_(std::move(part)) {}
+Argument::Argument(std::string_view part) : part_(std::string(part)) {}
+Argument::Argument(const char* part) : part_(std::string(part)) {}
+Argument::Argument(Message part) : part_(std::move(part)) {}
+Argument::Argument(const Argument&) = default;
+Argument::Argument(Argument&&) noexcept = default;
+Argument& Argument::operator=(const Argument&) = default;
+Argument& Argument::operator=(Argument&&) noexcept = default;
+Argument::~Argument() = default;
+
+Message say(std::string_view id) { return {id, {}}; }
+Message say(std::string_view id, Argument first) { return {id, {&first, 1}}; }
+Message say(std::string_view id, Argument first, Argument second) {
+  Argument all[] = {std::move(first), std::move(second)};
+  return {id, all};
+}
+Message say(std::string_view id, Argument first, Argument second, Argument third) {
+  Argument all[] = {std::move(first), std::move(second), std::move(third)};
+  return {id, all};
+}
 
 std::string Argument::text() const {
   const auto* const message = std::get_if<Message>(&part_);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,7 +17,16 @@ namespace loadpath {
 
 class Argument;
 
+/// Nearly every source has messages: what they are made of is compiled once, in the source.
 struct Message {
+  Message();
+  Message(std::string_view literal, std::span<Argument> taken);  // which are moved from
+  Message(const Message&);
+  Message(Message&&) noexcept;
+  Message& operator=(const Message&);
+  Message& operator=(Message&&) noexcept;
+  ~Message();
+
   std::string_view id;         // a string literal
   std::vector<Argument> args;  // {1} is args[0]
 
@@ -27,10 +37,17 @@ struct Message {
 /// A name or a number; or a message that is a part of another.
 class Argument {
  public:
-  explicit Argument(std::string part) : part_(std::move(part)) {}
-  explicit Argument(std::string_view part) : part_(std::string(part)) {}
-  explicit Argument(const char* part) : part_(std::string(part)) {}
-  explicit Argument(Message part) : part_(std::move(part)) {}
+  // NOLINTBEGIN(google-explicit-constructor): what `say` takes
+  Argument(std::string part);
+  Argument(std::string_view part);
+  Argument(const char* part);
+  Argument(Message part);
+  // NOLINTEND(google-explicit-constructor)
+  Argument(const Argument&);
+  Argument(Argument&&) noexcept;
+  Argument& operator=(const Argument&);
+  Argument& operator=(Argument&&) noexcept;
+  ~Argument();
 
   [[nodiscard]] std::string text() const;
 
@@ -38,10 +55,15 @@ class Argument {
   std::variant<std::string, Message> part_;
 };
 
-/// A message from its id and arguments: say("unknown unit '{1}'", unit).
+/// A message from its id and arguments: say("unknown unit '{1}'", unit). Few arguments need no template.
+Message say(std::string_view id);
+Message say(std::string_view id, Argument first);
+Message say(std::string_view id, Argument first, Argument second);
+Message say(std::string_view id, Argument first, Argument second, Argument third);
 template <class... Args>
-Message say(std::string_view id, Args&&... args) {
-  return {id, {Argument(std::forward<Args>(args))...}};
+Message say(std::string_view id, Argument first, Argument second, Argument third, Args&&... further) {
+  Argument all[] = {std::move(first), std::move(second), std::move(third), Argument(std::forward<Args>(further))...};
+  return {id, all};
 }
 
 /// A range of characters in a file, both counted from 1 in code points; line 0: the file in general.

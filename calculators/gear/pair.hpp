@@ -35,6 +35,7 @@ struct Pair {
       "first estimate; pitting and tooth breakage are rated in gear.rating.";
   static constexpr auto source = "[ISO21771], [Lewis]";
   static constexpr auto headline = "z {z_1}/{z_2}, m {m_n}";
+  static constexpr bool is_inlined = true;
   static constexpr auto details =
       "b = {b}, beta = {beta!}, x_1 = {x_1}, x_2 = {x_2}|b = {b}, x_1 = {x_1}, x_2 = {x_2}|x_1 = {x_1}, x_2 = {x_2}";
   static constexpr auto synonyms =

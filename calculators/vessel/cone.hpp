@@ -28,7 +28,6 @@ struct Cone {
   static constexpr auto synonyms =
       "pressure vessel, cone, hopper, conical shell, reducer, Kegel, Trichter, Kegelschale, коническая оболочка, "
       "конический сосуд, воронка";
-  static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Hopper bottom"
 

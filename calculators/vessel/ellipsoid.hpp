@@ -27,7 +27,6 @@ struct Ellipsoid {
   static constexpr auto synonyms =
       "ellipsoidal head, dished end, dished head, vessel head, knuckle, crown, pressure vessel, Ellipsoidboden, "
       "gewölbter Boden, Krempe, эллиптическое днище, днище";
-  static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Two to one head"
 

@@ -28,7 +28,6 @@ struct Sphere {
   static constexpr auto synonyms =
       "pressure vessel, sphere, spherical tank, gas holder, membrane stress, Kugelbehälter, Kugel, Druckbehälter, "
       "сферический резервуар, сферическая оболочка";
-  static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Gas holder"
 

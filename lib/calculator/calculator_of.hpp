@@ -8,7 +8,7 @@
 //     static constexpr std::array modes{Mode<Input>{...}...};  // in which its part can fail
 //     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source
 //     static constexpr std::array forms{Form{"T, tau_adm"}};   // that sweeps are compiled for (form.hpp)
-//     static constexpr bool is_large = true;                   // sweeps do not inline evaluate: compile time
+//     static constexpr bool is_inlined = true;                 // sweeps inline evaluate: longer to compile
 //     static constexpr bool takes_series = false;              // where it decides on one thing for all its loads
 //     static constexpr bool turns = true;                      // of a part that turns
 //     static constexpr auto sized = "pieces";                  // a list whose sizes are found together; with

@@ -29,7 +29,8 @@ void sweep_records(void* input, std::span<const InputColumn> in, std::span<const
   }
 }
 
-/// The same with `evaluate` and all that it calls inlined.
+/// The same with `evaluate` and all that it calls inlined: half the time of a point, and several times that of the
+/// build.
 template <class C>
 LOADPATH_LANES void sweep_inlined(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
                                   std::size_t count) {
@@ -39,10 +40,11 @@ LOADPATH_LANES void sweep_inlined(void* input, std::span<const InputColumn> in, 
 /// The loop for any set of inputs.
 template <class C>
 constexpr SweepLoop general_loop() {
-  if constexpr (requires { C::is_large; }) {
-    return &sweep_records<C>;
-  } else {
+  if constexpr (
+      requires { C::forms; } || requires { C::is_inlined; }) {
     return &sweep_inlined<C>;
+  } else {
+    return &sweep_records<C>;
   }
 }
 

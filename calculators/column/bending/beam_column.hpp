@@ -55,7 +55,6 @@ gamma_F = 1
 )";
 
   using Input = BeamColumnInput;
-  static constexpr bool is_large = true;
   static constexpr auto inputs = join(
       held_inputs<Input>(),
       Fields{Field{&Input::M_y, "M_y", N_m,

@@ -30,7 +30,6 @@ struct End {
       "hemispherical head, vessel head, knuckle, crown, straight flange, Klöpperboden, Korbbogenboden, gewölbter "
       "Boden, "
       "Krempe, днище, торосферическое днище, эллиптическое днище";
-  static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Klöpper end"
 

@@ -29,7 +29,6 @@ struct External {
       "external pressure, vacuum vessel, vacuum, collapse, shell buckling, critical pressure, Windenburg and Trilling, "
       "submarine hull, pressure hull, tube under external pressure, lobes, Außendruck, Vakuumbehälter, Schalenbeulen, "
       "Beuldruck, Einbeulen, наружное давление, вакуумный сосуд, устойчивость оболочки";
-  static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Vacuum vessel"
 

@@ -34,7 +34,6 @@ struct Compound {
       "prestressed cylinder, hooped gun barrel, extrusion container, die reinforcement, shrink ring, contact pressure, "
       "interference, Schrumpfring, Mehrlagenzylinder, Verbundzylinder, vorgespannter Hohlzylinder, Armierung, "
       "составной цилиндр, автоскрепление, натяг труб";
-  static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Container of an extrusion press"
 

@@ -63,17 +63,19 @@ std::vector<project::Demand> PlannedSweep::ask_demands(std::vector<Issue>& issue
   std::erase_if(demands, [](const project::Demand& demand) {  // it guides a search
     return demand.kind == sweep::Constraint::Kind::at_most_one && demand.text.ends_with(" passes");
   });
-  for (std::size_t i = 0; i < demands.size(); ++i)
+  if (has_errors(issues)) return demands;
+  for (std::size_t i = 0; i < demands.size(); ++i) {
+    project::form(demands[i], {"--such-that", 1, 1, 1}, project, issues);
     project.sweep.results.push_back(
         {"demand " + std::to_string(i + 1) + " = " + demands[i].column, {"--such-that", 1, 1, 1}});
+  }
   return demands;
 }
 
-void PlannedSweep::read_demands(const std::vector<project::Demand>& demands, std::vector<Issue>& issues) {
+void PlannedSweep::read_demands(const std::vector<project::Demand>& demands) {
   points.demands = demands.size();
   for (std::size_t i = 0; i < demands.size(); ++i) {
     const std::size_t column = points.columns.size() - demands.size() + i;
-    project::check_sides({demands[i].text, {"--such-that", 1, 1, 1}}, points.columns[column], issues);
     keep.demands.push_back({demands[i].text, column, demands[i].kind, demands[i].bound});
   }
 }
@@ -93,7 +95,7 @@ void PlannedSweep::plan(std::vector<Issue>& issues) {
   for (const std::string& result : options.results) project.sweep.results.push_back({result, {"--results", 1, 1, 1}});
   const std::vector<project::Demand> demands = ask_demands(issues);
   if (!has_errors(issues)) points = project::plan_sweep(project, project.sweep, issues);
-  if (!has_errors(issues)) read_demands(demands, issues);
+  if (!has_errors(issues)) read_demands(demands);
   keep.worst = options.worst;
   if (options.quantile > 0.0) keep.quantile = options.quantile;
   if (!has_errors(issues)) read_aims(issues);

@@ -44,7 +44,7 @@ class PlannedSweep {
   [[nodiscard]] project::Project read(std::vector<Issue>& issues) const;
   bool read_aims(std::vector<Issue>& issues);
   std::vector<project::Demand> ask_demands(std::vector<Issue>& issues);
-  void read_demands(const std::vector<project::Demand>& demands, std::vector<Issue>& issues);
+  void read_demands(const std::vector<project::Demand>& demands);
   bool read_shard();
 };
 

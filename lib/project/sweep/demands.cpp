@@ -1,5 +1,6 @@
 #include "lib/project/sweep/demands.hpp"
 
+#include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
 
 #include <algorithm>
@@ -21,27 +22,50 @@ std::optional<Demand> bound_of_utilisation(const Placed& asked, const std::strin
   return std::nullopt;
 }
 
-/// "rod.mass <= 5 kg" as a utilisation: (rod.mass)/(5 kg).
+/// "rod.mass <= 5 kg": its sides are compared when their dimensions are known.
 std::optional<Demand> bound_of(const Placed& asked, const NamedResults& results, std::vector<Issue>& issues) {
   for (const char* sign : {"<=", ">="}) {
     const std::size_t at = asked.text.find(sign);
     if (at == std::string::npos) continue;
     const std::string left = meant(name_and_text(asked.text.substr(0, at)).second, results);
-    const std::string right = trimmed(asked.text.substr(at + 2));
+    const std::string right = meant(trimmed(asked.text.substr(at + 2)), results);
+    const bool below = *sign == '<';
     const auto literal = parse_literal(right);
-    if (literal && !(literal->si > 0.0)) {
+    if (literal && literal->dimension.is_number() && is_utilisation(left)) {
+      if (literal->si > 0.0) return bound_of_utilisation(asked, left, literal->si, below, issues);
       issues.push_back(refusal(asked, say("'{1}' is not a bound above zero", right),
                                say("write the demand so that its bound is > 0")));
       return std::nullopt;
     }
-    const bool below = *sign == '<';
-    if (literal && literal->dimension.is_number() && is_utilisation(left))
-      return bound_of_utilisation(asked, left, literal->si, below, issues);
-    return Demand{asked.text, "(" + (below ? left : right) + ")/(" + (below ? right : left) + ")", Kind::at_most_one};
+    Demand demand{asked.text, {}, Kind::at_most_one};
+    demand.less = below ? left : right;
+    demand.more = below ? right : left;
+    return demand;
   }
   issues.push_back(refusal(asked, say("'{1}' is not a constraint", asked.text),
                            say("write \"every mode passes\", \"rod passes\" or \"rod.mass <= 5 kg\"")));
   return std::nullopt;
+}
+
+/// The number of an expression in SI units.
+std::string number_of(const std::string& text, const Dimension& dimension) {
+  return dimension.is_number() ? "(" + text + ")" : "(" + text + ")/(1 " + si_unit(dimension) + ")";
+}
+
+/// "x <= b" or "x >= b" as a number that is at most 1: linear in x, for every sign of both.
+std::string bounded_by(const std::string& x, const std::string& bound, const Literal& literal, bool below) {
+  if (literal.si == 0.0) {
+    const std::string by = literal.dimension.is_number() ? "" : "/(1 " + readable_unit(0.0, literal.dimension) + ")";
+    return std::string(below ? "1 + (" : "1 - (") + x + ")" + by;
+  }
+  const std::string ratio = "(" + x + ")/(" + bound + ")";
+  return below == (literal.si > 0.0) ? ratio : "2 - " + ratio;
+}
+
+/// The same of two results: their difference over the larger side, which is only for a large excess the left one, and
+/// is not zero.
+std::string compared(const std::string& less, const std::string& more) {
+  return "1 + (" + less + " - " + more + ")/max(abs(" + more + "), 0.001*abs(" + less + "), 1e-200)";
 }
 
 }  // namespace
@@ -82,9 +106,29 @@ std::vector<Demand> demands_of(const std::vector<Placed>& such_that, const Named
   return demands;
 }
 
-void check_sides(const Placed& asked, const SweptResult& column, std::vector<Issue>& issues) {
-  if (column.dimension.without_angle().is_number()) return;
-  issues.push_back(refusal(asked, say("both sides of '{1}' are of unlike dimensions", asked.text)));
+void form(Demand& demand, const Place& place, Project& project, std::vector<Issue>& issues) {
+  const Placed asked{demand.text, place};
+  const auto read = [&](const std::string& text) {
+    auto column = read_column(text, project);
+    if (!column) issues.push_back(refusal(asked, column.fault().message, column.fault().hint));
+    return column;
+  };
+  if (demand.less.empty()) {
+    read(demand.column);
+    return;
+  }
+  const auto less = read(demand.less), more = read(demand.more);
+  if (!less || !more) return;
+  if (less->dimension.without_angle() != more->dimension.without_angle()) {
+    issues.push_back(refusal(asked, say("both sides of '{1}' are of unlike dimensions", demand.text)));
+    return;
+  }
+  const auto at_most = parse_literal(demand.more), at_least = parse_literal(demand.less);
+  demand.column = at_most ? bounded_by(demand.less, demand.more, *at_most, true)
+                  : at_least
+                      ? bounded_by(demand.more, demand.less, *at_least, false)
+                      : compared(number_of(demand.less, less->dimension), number_of(demand.more, more->dimension));
+  read(demand.column);
 }
 
 bool SweptDemand::is_met(double value) const {

@@ -13,10 +13,11 @@
 namespace loadpath::project {
 
 struct Demand {
-  std::string text;  // as requested
-  std::string column;
+  std::string text;    // as requested
+  std::string column;  // of a comparison: empty until it is formed
   sweep::Constraint::Kind kind;
   double bound = 1.0;
+  std::string less = {}, more = {};  // both sides of a comparison
 };
 
 /// Results by their names: "mass", "rod.A*rod.l*rho".
@@ -36,8 +37,9 @@ bool is_utilisation(const std::string& text);
 std::vector<Demand> demands_of(const std::vector<Placed>& such_that, const NamedResults& results,
                                std::vector<Issue>& issues);
 
-/// Reports a demand whose two sides are of unlike dimensions.
-void check_sides(const Placed& asked, const SweptResult& column, std::vector<Issue>& issues);
+/// The column of a demand: of a comparison a number that is at most 1 where it holds, whatever the signs of its sides
+/// are. Issues if it cannot be read, or if its sides are of unlike dimensions.
+void form(Demand& demand, const Place& place, Project& project, std::vector<Issue>& issues);
 
 /// A demand on a column of a sweep over all points. With scatter a design satisfies it if the share `quantile` of its
 /// samples does: of a verdict by their number, of a bound by the quantile, as for `find_best`.

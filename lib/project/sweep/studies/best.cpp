@@ -67,18 +67,28 @@ std::vector<sweep::Constraint> constraints_of(const BestAsked& asked, const std:
   return all;
 }
 
-/// Columns that can be read, or issues.
-bool can_read(const ReadAgain& read, const std::vector<Placed>& columns, std::vector<std::string>& units,
-              std::vector<Issue>& issues) {
-  Project project = read();
-  for (const Placed& asked : columns) {
-    const auto column = read_column(asked.text, project);
-    if (!column) issues.push_back(refusal(asked, column.fault().message, column.fault().hint));
-    const bool is_demand = &asked != &columns.front();
-    if (column && is_demand) check_sides(asked, *column, issues);
-    units.push_back(column ? column->unit : std::string());
+/// The unit of a column; an issue if it cannot be read.
+std::string unit_of(const Placed& asked, Project& project, std::vector<Issue>& issues) {
+  const auto column = read_column(asked.text, project);
+  if (!column) issues.push_back(refusal(asked, column.fault().message, column.fault().hint));
+  return column ? column->unit : std::string();
+}
+
+/// Objective and demands as columns, whose texts it returns; nothing, with issues, if they cannot be read.
+std::vector<std::string> form_columns(const Searching& searching, const BestAsked& asked, Best& best,
+                                      std::vector<Issue>& issues) {
+  best.demands = demands_of(asked.such_that, asked.results, issues);
+  if (has_errors(issues)) return {};
+  const std::string objective = meant(asked.objective.text, asked.results);
+  Project project = searching.read();
+  best.objective = name_and_text(asked.objective.text).first;
+  best.unit = unit_of({objective, asked.objective.place}, project, issues);
+  std::vector<std::string> texts{"objective = " + name_and_text(objective).second};
+  for (Demand& demand : best.demands) {
+    form(demand, asked.such_that.empty() ? asked.objective.place : asked.such_that.front().place, project, issues);
+    texts.push_back("demand " + std::to_string(texts.size()) + " = " + demand.column);
   }
-  return !has_errors(issues);
+  return texts;
 }
 
 std::vector<double> outputs_at(Variants& variants, const std::vector<double>& point) {
@@ -162,18 +172,8 @@ double shown_by(std::uint64_t samples) { return std::pow(risk, 1.0 / static_cast
 std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, std::uint64_t samples,
                               std::uint64_t seed, std::vector<Issue>& issues) {
   Best best;
-  best.demands = demands_of(asked.such_that, asked.results, issues);
-  const std::string objective = meant(asked.objective.text, asked.results);
-  std::vector<Placed> columns{{objective, asked.objective.place}};
-  std::vector<std::string> texts{"objective = " + name_and_text(objective).second}, units;
-  for (std::size_t i = 0; i < best.demands.size(); ++i) {
-    columns.push_back(
-        {best.demands[i].column, asked.such_that.empty() ? asked.objective.place : asked.such_that.front().place});
-    texts.push_back("demand " + std::to_string(i + 1) + " = " + best.demands[i].column);
-  }
-  if (has_errors(issues) || !can_read(searching.read, columns, units, issues)) return std::nullopt;
-  best.objective = name_and_text(asked.objective.text).first;
-  best.unit = units.front();
+  const std::vector<std::string> texts = form_columns(searching, asked, best, issues);
+  if (has_errors(issues)) return std::nullopt;
   Variants variants(searching.read(), texts);
   sweep::Threaded threaded = in_threads(variants, searching, texts);
   best.inputs = variants.axes();
@@ -215,14 +215,15 @@ std::optional<SoughtValue> seek_value(const Searching& searching, const Placed& 
     issues.push_back(refusal(goal, say("'{1}' is not a goal", goal.text), say("write \"shaft.u_tau = 0.9\"")));
     return std::nullopt;
   }
-  std::vector<std::string> units;
-  if (!can_read(searching.read, {{result, goal.place}}, units, issues)) return std::nullopt;
+  Project project = searching.read();
+  const std::string unit = unit_of({result, goal.place}, project, issues);
+  if (has_errors(issues)) return std::nullopt;
   Variants variants(searching.read(), {result});
   const Dimension& dimension = variants.columns().front().dimension;
   if (dimension.without_angle() != target->dimension.without_angle()) {
     issues.push_back(
         refusal(goal, say("'{1}' is {2}, and the goal is {3}", result, name_of(dimension), name_of(target->dimension)),
-                units[0].empty() ? Message{} : say("give the goal in {1}", units[0])));
+                unit.empty() ? Message{} : say("give the goal in {1}", unit)));
     return std::nullopt;
   }
   std::vector<std::size_t> ranges;
@@ -237,7 +238,7 @@ std::optional<SoughtValue> seek_value(const Searching& searching, const Placed& 
                              say("give the others a value")));
     return std::nullopt;
   }
-  SoughtValue sought{variants.axes()[ranges[0]], units[0], target->si, {}};
+  SoughtValue sought{variants.axes()[ranges[0]], unit, target->si, {}};
   const bool free = is_continuous(sought.input);
   const auto ends = free ? std::get<sweep::Uniform>(sought.input.distribution->law()) : sweep::Uniform{};
   sweep::Goal wanted{ranges[0], free ? ends.min : low_of(sought.input), free ? ends.max : high_of(sought.input), 0,

@@ -280,6 +280,32 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(bound.optimum.outputs == find(area, "strut.d <= 50 mm").optimum.outputs);
   }
 
+  TEST_CASE("a demand holds for every sign of its sides") {
+    const std::string text = tube + "d = { from = \"37 mm\", to = \"43 mm\", step = \"1 mm\" }\nP = \"20 kN\"\n";
+    const auto end = [&](const std::string& demand, bool maximise) {  // over 40 mm
+      std::vector<Issue> issues;
+      const auto best =
+          project::find_best({reader(text)}, {asked("strut.d"), maximise, {asked(demand)}, {}, {}}, 10, 1, issues);
+      CHECK(issues.empty());
+      REQUIRE(best);
+      CHECK(best->optimum.allowed);
+      return std::lround(1e3 * best->optimum.outputs[0]) - 40;
+    };
+    struct Case {
+      std::string demand;
+      long least, most;
+    };
+    const std::string x = "strut.d - 40 mm", minus_x = "40 mm - strut.d";
+    for (const Case& c : {Case{x + " >= 0.5 mm", 1, 3}, Case{x + " <= 0.5 mm", -3, 0}, Case{x + " >= -1.5 mm", -1, 3},
+                          Case{x + " <= -1.5 mm", -3, -2}, Case{x + " >= 0 mm", 0, 3}, Case{x + " <= 0 mm", -3, 0},
+                          Case{"-1.5 mm <= " + x, -1, 3}, Case{"0.5 mm >= " + x, -3, 0},
+                          Case{x + " <= " + minus_x, -3, 0}, Case{x + " >= " + minus_x, 0, 3}}) {
+      CAPTURE(c.demand);
+      CHECK(end(c.demand, false) == c.least);
+      CHECK(end(c.demand, true) == c.most);
+    }
+  }
+
   TEST_CASE("invalid requests are reported") {
     const std::string text = tube + sizes + "P = \"40 kN\"\n";
     const auto fault = [&](const std::string& objective, const std::vector<project::Placed>& such_that) {
@@ -294,7 +320,9 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(contains(fault("strut.d <= 5 mm", {}), "not a comparison"));
     CHECK(contains(fault("strut.d", {asked("strut.lambda small")}), "is not a constraint"));
     CHECK(contains(fault("strut.d", {asked("strut.d <= 5 kg")}), "unlike"));
-    CHECK(contains(fault("strut.d", {asked("strut.d <= 0 mm")}), "above zero"));
+    CHECK(contains(fault("strut.d", {asked("strut.d >= 5 kg")}), "both sides of 'strut.d >= 5 kg' are of unlike"));
+    CHECK(contains(fault("strut.d", {asked("strut.d >= strut.R_e")}), "unlike"));
+    CHECK(contains(fault("strut.d", {asked("strut.utilisation <= 0")}), "above zero"));
     CHECK(contains(fault("strut.d", {asked("axle passes")}), "axle"));
     std::vector<Issue> issues;
     CHECK_FALSE(project::seek_value({reader(text)}, asked("strut.lambda = 90"), issues));

@@ -56,9 +56,8 @@ int choose(const PlannedSweep& sweep) {
   if (sweep.options.quantile > 0.0) asked.quantile = sweep.options.quantile;
   for (const project::SweptResult& column : sweep.points.columns) asked.results.emplace_back(column.name, column.text);
   std::vector<Issue> issues;
-  const auto best = searched(sweep, [&](const auto& how) {
-    return project::find_best(how, asked, sweep.project.sweep.samples, sweep.project.sweep.seed, issues);
-  });
+  const auto best =
+      searched(sweep, [&](const auto& how) { return project::find_best(how, asked, sweep.project.sweep, issues); });
   if (!best) return sweep.refuse_all(issues);
   const int code = tell_found(sweep, "The best design", *best, report::best_blocks(*best));
   return code == passed && !best->optimum.allowed ? int{not_passed} : code;

@@ -187,6 +187,14 @@ void SweepPlan::fill(std::uint64_t first, std::size_t n, std::span<double* const
   space.fill(first, n, ordered);
 }
 
+sweep::Space space_of(const std::vector<SweptInput>& inputs, const SweepSettings& settings,
+                      std::vector<std::size_t>& variables, std::vector<Issue>& issues) {
+  Planning planning(inputs, settings, issues);
+  sweep::Space space = planning.space();
+  variables = planning.variables();
+  return space;
+}
+
 SweepPlan plan_sweep(Project& project, const SweepSettings& settings, std::vector<Issue>& issues) {
   SweepPlan plan;
   plan.inputs = swept_inputs(project);
@@ -200,9 +208,7 @@ SweepPlan plan_sweep(Project& project, const SweepSettings& settings, std::vecto
     check_name(plan, *column, result.place, issues);
     plan.columns.push_back(std::move(*column));
   }
-  Planning planning(plan.inputs, settings, issues);
-  plan.space = planning.space();
-  plan.variables = planning.variables();
+  plan.space = space_of(plan.inputs, settings, plan.variables, issues);
   return plan;
 }
 

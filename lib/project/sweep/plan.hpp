@@ -37,6 +37,10 @@ inline bool has_scattering_designs(const SweepPlan& plan) {
   return plan.space.samples() > 1 && plan.space.count() > plan.space.samples();
 }
 
+/// The points of these inputs; `variables`: the variable of each. Errors in zips and correlations become issues.
+sweep::Space space_of(const std::vector<SweptInput>& inputs, const SweepSettings& settings,
+                      std::vector<std::size_t>& variables, std::vector<Issue>& issues);
+
 /// Errors in names, zips, correlations and results become issues.
 SweepPlan plan_sweep(Project& project, const SweepSettings& settings, std::vector<Issue>& issues);
 

@@ -102,6 +102,15 @@ std::vector<double> Space::point(std::uint64_t index) const {
   return values;
 }
 
+std::uint64_t Space::first_at(std::span<const std::uint64_t> values) const {
+  std::uint64_t first = 0;
+  for (std::size_t k = 0; k < digits_.size(); ++k) {
+    const bool runs_along = k > 0 && digits_[k].stride == digits_[k - 1].stride;  // or it is a single value
+    if (!runs_along) first += values[k] * digits_[k].stride;
+  }
+  return first;
+}
+
 void Space::sample(std::uint64_t first, std::size_t n, std::span<double* const> columns) const {
   const auto& variables = random_.variables;
   for (std::size_t k = 0; k < variables.size(); ++k) {

@@ -47,6 +47,9 @@ class Space {
   /// A column for each variable takes the values of the points first ... first + n - 1.
   void fill(std::uint64_t first, std::size_t n, std::span<double* const> columns) const;
   [[nodiscard]] std::vector<double> point(std::uint64_t index) const;
+  /// The first of the points at a place of the grid: the number of the value of each variable of the levels. Of
+  /// variables that run together the first decides.
+  [[nodiscard]] std::uint64_t first_at(std::span<const std::uint64_t> values) const;
 
  private:
   struct Digit {

@@ -44,17 +44,30 @@ double failing_share(std::span<const double> values, const Passes& passes) {
 }  // namespace
 
 Robust::Robust(Function& inner, std::size_t designs, std::vector<Scattered> inputs, std::size_t columns,
-               const Sampler& sampler, std::size_t samples, std::vector<Statistic> statistics)
+               Sampler sampler, std::size_t samples, std::vector<Statistic> statistics, FirstSample first)
     : inner_(inner),
       designs_(designs),
       samples_(samples),
       from_(std::move(inputs)),
       statistics_(std::move(statistics)),
+      sampler_(std::move(sampler)),
+      first_(std::move(first)),
       scatter_(columns, samples),
       in_(inner.inputs(), samples),
       out_(inner.outputs(), samples) {
   assert(samples >= 2);
-  sampler(0, samples, scatter_.write());
+  sampler_(drawn_, samples, scatter_.write());
+}
+
+/// The samples of design k.
+void Robust::draw(std::span<const double* const> in, std::size_t k) {
+  if (!first_) return;
+  std::vector<double> design;
+  design.reserve(in.size());
+  for (const double* const column : in) design.push_back(column[k]);
+  const std::uint64_t first = first_(design);
+  if (first != drawn_) sampler_(first, samples_, scatter_.write());
+  drawn_ = first;
 }
 
 double Robust::value_of(const Statistic& statistic) {
@@ -73,6 +86,7 @@ double Robust::value_of(const Statistic& statistic) {
 
 void Robust::evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
+    draw(in, k);
     for (std::size_t i = 0; i < from_.size(); ++i) {
       const auto& [design, scatter, relative] = from_[i];
       const double x = design ? in[*design][k] : 0.0;

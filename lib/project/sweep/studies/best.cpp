@@ -3,11 +3,13 @@
 #include "lib/project/sweep/columns.hpp"
 #include "lib/project/sweep/ranges.hpp"
 #include "lib/project/sweep/slice.hpp"
+#include "lib/project/sweep/studies/drawn.hpp"
 #include "lib/quantity/literal.hpp"
 #include "lib/sweep/sensitivity/robust.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace loadpath::project {
 
@@ -162,6 +164,18 @@ void find_lacks(Variants& variants, Best& best) {
   if (optimum.allowed) best.fails = failure_of(variants, point_at(optimum.point));
 }
 
+/// Objective and demands of the designs at the requested quantile.
+std::unique_ptr<sweep::Robust> robust_of(sweep::Function& function, const Best& best, const BestAsked& asked,
+                                         const DrawnSamples& drawn, std::uint64_t samples) {
+  const auto fill = [&drawn](std::uint64_t first, std::size_t n, std::span<double* const> columns) {
+    drawn.fill(first, n, columns);
+  };
+  return std::make_unique<sweep::Robust>(function, best.chosen.size(), scatter_of(best.inputs),
+                                         best.inputs.size() - best.chosen.size(), fill,
+                                         static_cast<std::size_t>(samples), statistics_of(asked, best.demands),
+                                         [&drawn](std::span<const double> chosen) { return drawn.first_of(chosen); });
+}
+
 constexpr double risk = 0.05;  // of a confidence of 95 %
 
 }  // namespace
@@ -169,8 +183,8 @@ constexpr double risk = 0.05;  // of a confidence of 95 %
 double samples_needed(double quantile) { return std::ceil(std::log(risk) / std::log(quantile)); }
 double shown_by(std::uint64_t samples) { return std::pow(risk, 1.0 / static_cast<double>(samples)); }
 
-std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, std::uint64_t samples,
-                              std::uint64_t seed, std::vector<Issue>& issues) {
+std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, const SweepSettings& settings,
+                              std::vector<Issue>& issues) {
   Best best;
   const std::vector<std::string> texts = form_columns(searching, asked, best, issues);
   if (has_errors(issues)) return std::nullopt;
@@ -188,13 +202,12 @@ std::optional<Best> find_best(const Searching& searching, const BestAsked& asked
   }
   best.point = middles_of(best.inputs);
   best.quantile = asked.quantile;
-  best.samples = asked.quantile && !scattering.empty() ? samples : 0;
+  best.samples = asked.quantile && !scattering.empty() ? settings.samples : 0;
   Slice chosen(threaded, best.point, best.chosen, 1 + best.demands.size());
-  std::optional<sweep::Robust> robust;
-  if (asked.quantile)
-    robust.emplace(threaded, best.chosen.size(), scatter_of(best.inputs), best.inputs.size() - best.chosen.size(),
-                   sampler_of(best.inputs, scattering, seed), static_cast<std::size_t>(samples),
-                   statistics_of(asked, best.demands));
+  const DrawnSamples drawn(best.inputs, settings, issues);
+  if (has_errors(issues)) return std::nullopt;
+  std::unique_ptr<sweep::Robust> robust;
+  if (asked.quantile) robust = robust_of(threaded, best, asked, drawn, settings.samples);
   sweep::Problem problem{robust ? static_cast<sweep::Function&>(*robust) : chosen,
                          {},
                          0,

@@ -44,9 +44,10 @@ double samples_needed(double quantile);
 double shown_by(std::uint64_t samples);
 
 /// Inputs with values, words and stocks are chosen from these, { from, to } from the interval; uncertain inputs
-/// stay at their mean, or scatter if a quantile is requested. Issues if the request cannot be read.
-std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, std::uint64_t samples,
-                              std::uint64_t seed, std::vector<Issue>& issues);
+/// stay at their mean, or scatter if a quantile is requested: the samples of a design are those of a sweep with the
+/// same settings. Issues if the request cannot be read.
+std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, const SweepSettings& settings,
+                              std::vector<Issue>& issues);
 
 struct SoughtValue {
   SweptInput input;

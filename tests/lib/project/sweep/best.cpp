@@ -3,7 +3,9 @@
 
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/sweep/studies/influence.hpp"
+#include "lib/quantity/format.hpp"
 #include "lib/report/sweep/best.hpp"
+#include "lib/sweep/statistics/values.hpp"
 #include "tests/lib/project/solved.hpp"
 #include "tests/lib/project/sweep/swept.hpp"
 #include "tests/parts.hpp"
@@ -12,6 +14,7 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 
 using namespace loadpath;
@@ -42,6 +45,12 @@ project::ReadAgain reader(const std::string& text) {
 
 project::Placed asked(const std::string& text) { return {text, {"--asked", 1, 1, 1}}; }
 
+project::SweepSettings drawn(std::uint64_t samples) {
+  project::SweepSettings settings;
+  settings.samples = samples;
+  return settings;
+}
+
 }  // namespace
 
 TEST_SUITE("the best machine" * test::by_case) {
@@ -54,7 +63,7 @@ TEST_SUITE("the best machine" * test::by_case) {
         if (all.column("strut.passes")[i] == 1.0) least = std::min(least, all.column("a")[i]);
       }
       std::vector<Issue> issues;
-      const auto best = project::find_best({reader(text)}, {asked(area), false, {}, {}, {}}, 10, 1, issues);
+      const auto best = project::find_best({reader(text)}, {asked(area), false, {}, {}, {}}, drawn(10), issues);
       REQUIRE(best);
       CHECK(best->optimum.allowed);
       CHECK(best->optimum.reach == sweep::Optimum::Reach::every_point);
@@ -69,13 +78,13 @@ TEST_SUITE("the best machine" * test::by_case) {
         "\"90 "
         "mm\" }\n";
     std::vector<Issue> issues;
-    const auto best = project::find_best({reader(text)}, {asked("shaft.d"), false, {}, {}, {}}, 10, 1, issues);
+    const auto best = project::find_best({reader(text)}, {asked("shaft.d"), false, {}, {}, {}}, drawn(10), issues);
     REQUIRE(best);
     CHECK(best->optimum.allowed);
     CHECK(best->point[0] == Approx(std::cbrt(16.0 * 500.0 / (M_PI * 30e6))).epsilon(1e-5));
     const auto bounded = project::find_best(
         {reader(text)},
-        {asked("shaft.tau_max"), false, {asked("shaft.d <= 60 mm"), asked("every mode passes")}, {}, {}}, 10, 1,
+        {asked("shaft.tau_max"), false, {asked("shaft.d <= 60 mm"), asked("every mode passes")}, {}, {}}, drawn(10),
         issues);
     REQUIRE(bounded);
     CHECK(bounded->point[0] == Approx(0.06).epsilon(1e-5));
@@ -87,10 +96,56 @@ TEST_SUITE("the best machine" * test::by_case) {
         "= { "
         "from = \"20 mm\", to = \"90 mm\" }\n";
     std::vector<Issue> issues;
-    const auto best = project::find_best({reader(text)}, {asked("shaft.d"), false, {}, 0.99, {}}, 20000, 1, issues);
+    const auto best = project::find_best({reader(text)}, {asked("shaft.d"), false, {}, 0.99, {}}, drawn(20000), issues);
     REQUIRE(best);
     const double T_99 = 500.0 + 2.326347874 * 50.0;
     CHECK(best->point[1] == Approx(std::cbrt(16.0 * T_99 / (M_PI * 30e6))).epsilon(2e-3));
+  }
+
+  TEST_CASE("and its neighbours have the figures of the sweep over all designs to the bit") {
+    for (const char* sampling : {"random", "latin"}) {
+      const std::string text =
+          "[project.sweep]\nsamples = 50\nseed = 7\nsampling = \"" + std::string(sampling) +
+          "\"\ncorrelations = [{ of = [\"shaft.T\", \"shaft.tau_adm\"], r = 0.5 }]\n[shaft]\ncalculator = "
+          "\"shaft.torsion\"\nT = { mean = \"500 N*m\", sd = \"50 N*m\" }\ntau_adm = { mean = \"30 MPa\", sd = \"2 "
+          "MPa\" }\nd = [\"48 mm\", \"46 mm\", \"44 mm\"]\nd_bore = [\"5 mm\", \"0 mm\", \"10 mm\"]\n";
+      const std::string u = "shaft.tau_max/shaft.tau_adm";
+      const Swept all(text, {"u = " + u});
+      std::vector<Issue> issues;
+      const auto best = project::find_best({reader(text)}, {asked(u), true, {asked("shaft.d >= 46 mm")}, 0.9, {}},
+                                           reader(text)().sweep, issues);
+      REQUIRE(best);
+      const auto check = [&](double d, double d_bore, double found) {
+        sweep::Values samples;
+        for (std::size_t i = 0; i < all.column("u").size(); ++i) {
+          if (all.input("shaft.d")[i] == d && all.input("shaft.d_bore")[i] == d_bore)
+            samples.add(std::span(&all.column("u")[i], 1));
+        }
+        CHECK(samples.count() == 50);
+        CHECK(samples.quantile(1.0 - 0.9) == found);
+      };
+      check(best->optimum.point[0], best->optimum.point[1], best->optimum.outputs[0]);
+      CHECK(best->optimum.neighbours.size() >= 3);
+      for (const auto& near : best->optimum.neighbours) check(near.point[0], near.point[1], near.outputs[0]);
+    }
+  }
+
+  TEST_CASE("between the ends of a range has the samples of a sweep at its size") {
+    const auto shaft = [](const std::string& d) {
+      return "[shaft]\ncalculator = \"shaft.torsion\"\nT = { mean = \"500 N*m\", sd = \"50 N*m\" }\ntau_adm = \"30 "
+             "MPa\"\nd_bore = [\"0 mm\", \"5 mm\"]\nd = " +
+             d + "\n";
+    };
+    const std::string text = shaft("{ from = \"20 mm\", to = \"90 mm\" }");
+    std::vector<Issue> issues;
+    const auto best = project::find_best({reader(text)}, {asked("shaft.d"), false, {}, 0.9, {}}, drawn(100), issues);
+    REQUIRE(best);
+    const Swept at("[project.sweep]\nsamples = 100\n" + shaft("\"" + format_number(1e3 * best->point[2], 17) + " mm\""),
+                   {"u = shaft.utilisation"});
+    sweep::Values samples;
+    const std::size_t first = best->point[1] == 0.0 ? 0 : 100;
+    samples.add(std::span(at.column("u")).subspan(first, 100));
+    CHECK(samples.quantile(0.9) == Approx(best->optimum.outputs[1]).epsilon(1e-12));
   }
 
   TEST_CASE("of a mechanism: Hoeken's linkage, the straightest path of a point") {
@@ -103,8 +158,8 @@ TEST_SUITE("the best machine" * test::by_case) {
         "[bar.links.coupler.points]\nK = [\"=2*values.b\", \"0 mm\"]\n";
     std::vector<Issue> issues;
     const auto best = project::find_best(
-        {reader(text)}, {asked("range(bar.points.K.y)"), false, {asked("range(bar.points.K.x) >= 30 mm")}, {}, {}}, 10,
-        1, issues);
+        {reader(text)}, {asked("range(bar.points.K.y)"), false, {asked("range(bar.points.K.x) >= 30 mm")}, {}, {}},
+        drawn(10), issues);
     REQUIRE(best);
     CHECK(best->optimum.allowed);
     CHECK(best->point[0] == Approx(25.0513e-3).epsilon(1e-5));  // of 90,000 lengths, by the circles through A and C
@@ -118,8 +173,8 @@ TEST_SUITE("the best machine" * test::by_case) {
         "crank.at = [{ angle = \"100 deg\" }, { angle = \"180 deg\" }]\n";
     for (const std::optional<double> quantile : {std::optional<double>(), std::optional<double>(0.9)}) {
       std::vector<Issue> issues;
-      const auto best =
-          project::find_best({reader(text)}, {asked("min(bar.joints.B.gamma)"), true, {}, quantile, {}}, 10, 1, issues);
+      const auto best = project::find_best({reader(text)}, {asked("min(bar.joints.B.gamma)"), true, {}, quantile, {}},
+                                           drawn(10), issues);
       REQUIRE(best);
       CHECK(best->optimum.allowed);
       CHECK(best->optimum.candidates == 3);
@@ -131,7 +186,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     const std::string text = tube + "d = [\"45 mm\", \"50 mm\"]\nd_bore = [\"20 mm\", \"50 mm\"]\nP = \"20 kN\"\n";
     std::vector<Issue> issues;
     const project::BestAsked wanted{asked(area), false, {asked("strut passes")}, {}, {}};
-    const auto best = project::find_best({reader(text)}, wanted, 10, 1, issues);
+    const auto best = project::find_best({reader(text)}, wanted, drawn(10), issues);
     REQUIRE(best);
     REQUIRE(best->optimum.allowed);
     REQUIRE(best->lacks.size() == best->optimum.neighbours.size());
@@ -179,7 +234,7 @@ TEST_SUITE("the best machine" * test::by_case) {
           "d = [\"45 mm\", \"50 mm\", \"60 mm\"]\nd_bore = " +
           bore + "\n";
       std::vector<Issue> issues;
-      const auto best = project::find_best({reader(text)}, {asked("shaft.d"), false, {}, {}, {}}, 10, 1, issues);
+      const auto best = project::find_best({reader(text)}, {asked("shaft.d"), false, {}, {}, {}}, drawn(10), issues);
       REQUIRE(best);
       REQUIRE(best->chosen.size() == 1);
       CHECK(best->inputs[best->chosen[0]].name == "shaft.d");
@@ -235,7 +290,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     const auto warns = [&](std::uint64_t samples, std::optional<double> quantile) {
       std::vector<Issue> issues;
       const auto best = project::find_best({reader(text)}, {asked(area), false, {asked("strut passes")}, quantile, {}},
-                                           samples, 1, issues);
+                                           drawn(samples), issues);
       REQUIRE(best);
       const auto blocks = report::best_blocks(*best);
       return std::any_of(blocks.begin(), blocks.end(), [](const report::Block& block) {
@@ -253,7 +308,7 @@ TEST_SUITE("the best machine" * test::by_case) {
         "[a]\ncalculator = \"shaft.torsion\"\nmaterial = \"C45E\"\ntau_adm = \"600 MPa\"\nT = \"200 N*m\"\n"
         "d = [\"10 mm\", \"12 mm\", \"34 mm\"]\n";
     std::vector<Issue> issues;
-    const auto best = project::find_best({reader(text)}, {asked("a.d"), false, {}, {}, {}}, 10, 1, issues);
+    const auto best = project::find_best({reader(text)}, {asked("a.d"), false, {}, {}, {}}, drawn(10), issues);
     REQUIRE(best);
     CHECK_FALSE(best->optimum.allowed);
     REQUIRE(best->lacks.size() == 1);
@@ -264,7 +319,8 @@ TEST_SUITE("the best machine" * test::by_case) {
     const std::string text = tube + sizes + "P = \"40 kN\"\n";
     const auto find = [&](const std::string& objective, const std::string& demand) {
       std::vector<Issue> issues;
-      auto best = project::find_best({reader(text)}, {asked(objective), false, {asked(demand)}, {}, {}}, 10, 1, issues);
+      auto best =
+          project::find_best({reader(text)}, {asked(objective), false, {asked(demand)}, {}, {}}, drawn(10), issues);
       CHECK(issues.empty());
       REQUIRE(best);
       return std::move(*best);
@@ -285,7 +341,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     const auto end = [&](const std::string& demand, bool maximise) {  // over 40 mm
       std::vector<Issue> issues;
       const auto best =
-          project::find_best({reader(text)}, {asked("strut.d"), maximise, {asked(demand)}, {}, {}}, 10, 1, issues);
+          project::find_best({reader(text)}, {asked("strut.d"), maximise, {asked(demand)}, {}, {}}, drawn(10), issues);
       CHECK(issues.empty());
       REQUIRE(best);
       CHECK(best->optimum.allowed);
@@ -310,7 +366,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     const std::string text = tube + sizes + "P = \"40 kN\"\n";
     const auto fault = [&](const std::string& objective, const std::vector<project::Placed>& such_that) {
       std::vector<Issue> issues;
-      CHECK_FALSE(project::find_best({reader(text)}, {asked(objective), false, such_that, {}, {}}, 10, 1, issues));
+      CHECK_FALSE(project::find_best({reader(text)}, {asked(objective), false, such_that, {}, {}}, drawn(10), issues));
       return issues.empty() ? std::string() : issues.front().message.text() + " = " + issues.front().hint.text();
     };
     CHECK(contains(fault("strut.m", {}), "strut"));

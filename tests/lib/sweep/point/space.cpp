@@ -132,6 +132,21 @@ TEST_SUITE("points of sweeps") {
     CHECK(space.point(4) == std::vector<double>{2.0, 4.0, 7.0});
   }
 
+  TEST_CASE("the first point at a place of the grid") {
+    const Space space =
+        *Space::of({{list({1.0, 2.0})}, {list({9.0})}, {list({3.0, 4.0, 5.0}), list({6.0, 7.0, 8.0})}, {list({9.0})}},
+                   two_normals(0.0, 37));
+    for (std::uint64_t a = 0; a < 2; ++a) {
+      for (std::uint64_t b = 0; b < 3; ++b) {
+        const std::uint64_t first = space.first_at(std::vector<std::uint64_t>{a, 0, b, b, 0});
+        CHECK(first == (3 * a + b) * 37);
+        const auto point = space.point(first);
+        CHECK(point[0] == 1.0 + static_cast<double>(a));
+        CHECK(point[3] == 6.0 + static_cast<double>(b));
+      }
+    }
+  }
+
   TEST_CASE("an empty space is one point") {
     CHECK(Space().count() == 1);
     CHECK(Space().point(0).empty());

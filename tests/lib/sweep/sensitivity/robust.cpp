@@ -62,6 +62,15 @@ TEST_SUITE("robust design") {
     CHECK(values[3] == doctest::Approx(50.0 / 30.0));
   }
 
+  TEST_CASE("a design may have samples of its own") {
+    Formula line(2, 1, [](const double* x, double* y) { y[0] = x[0] + x[1]; });
+    Robust robust(line, 1, {{0, {}, false}, {{}, 0, false}}, 1, counting, 11, {{0, Kind::mean, 0.0}},
+                  [](std::span<const double> design) { return design[0] > 1.0 ? 100U : 0U; });
+    CHECK(values_at(robust, {1.0})[0] == 6.0);
+    CHECK(values_at(robust, {2.0})[0] == 107.0);  // 100 to 110
+    CHECK(values_at(robust, {1.0})[0] == 6.0);
+  }
+
   TEST_CASE("a point has the same bits alone and among others") {
     Formula square(1, 1, [](const double* x, double* y) { y[0] = std::sin(x[0]) * x[0]; });
     Robust robust(square, 1, {{0, 0, false}}, 1, uniform_samples(4, -0.1, 0.1), 100, {{0, Kind::quantile, 0.9}});

@@ -112,6 +112,7 @@ const Library& built_in() {
 }
 
 Outcome<Entry> find_row(std::string_view group, std::string_view name) {
+  if (name.empty()) return find_row(Library{}, group, name);  // nothing is near no name
   static FoundRows found_rows;
   const std::string key = std::string(group) + '\n' + std::string(name);
   Entry entry = found_rows.find(key);
@@ -121,8 +122,7 @@ Outcome<Entry> find_row(std::string_view group, std::string_view name) {
     return entry.row != nullptr;
   });
   if (entry.row != nullptr) return found_rows.keep(key, entry);
-  if (name.empty()) return find_row(Library{}, group, name);  // nothing is near no name
-  return find_row(built_in(), group, name);                   // by other capitals, or reports near names
+  return find_row(built_in(), group, name);  // by other capitals, or reports near names
 }
 
 const Series* series_named(std::string_view name) {

@@ -58,24 +58,52 @@ double Evaluation::first_size() {
 
 /// A strength falls with the size that it is looked up at, so the size only grows from one round to the next. If a
 /// row is stronger at a larger size it may alternate: then no size is consistent with the values at itself.
-void Evaluation::settle_sizes_from(double size) {
+void Evaluation::settle_sizes_from(double size, Result wanted) {
   unsettled_ = {};
   if (inputs_.size_field().empty()) {
     inputs_.set_values_of_rows(not_available);
     return;
   }
+  if (is_settled_from(size)) {
+    if (wanted == Result::current && !is_current_ && positions() == 1) evaluate_record();
+    return;
+  }
+  const double from = size;
   double before = size, two_before = size;
   for (int round = 0; round < most_size_rounds; ++round) {
     const bool changed = inputs_.set_values_of_rows(size);
     settled_ = size;
-    if (round > 0 && !changed) return;  // the same values give the same size
+    if (round > 0 && !changed) return keep_settled(from);  // the same values give the same size
     const double next = size_now();
-    if (std::isnan(next) || next == size) return;  // without a size something is not available; the checks report it
+    if (std::isnan(next)) return;  // without a size something is not available; the checks report it
+    if (next == size) return keep_settled(from);
     two_before = before;
     before = size;
     size = next;
   }
   unsettled_ = unsettled_size(two_before, before, size);
+}
+
+/// Whether the record is as it settled from there, with its values of rows.
+bool Evaluation::is_settled_from(double size) {
+  if (!remembers_sizes()) return false;
+  const auto settled = settled_records_.find(state_of(record(), inputs_.provided()), size);
+  if (!settled || inputs_.set_values_of_rows(settled->size)) return false;
+  settled_ = settled->size;
+  is_current_ = is_current_ && settled->is_newest;
+  return true;
+}
+
+void Evaluation::keep_settled(double from) {
+  if (!remembers_sizes()) return;
+  settled_records_.add(state_of(record(), inputs_.provided()), from, settled_);
+  is_current_ = true;
+}
+
+/// A part with several sizes, one of which is a result: each round evaluates all of it.
+bool Evaluation::remembers_sizes() const {
+  const bool has_sizes = !std::string_view(calculator_.sizing.list).empty();
+  return has_sizes && find_field(calculator_.result->fields, inputs_.size_field()) != nullptr;
 }
 
 /// Only a result changes between rounds.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lib/project/run/evaluation/inputs.hpp"
+#include "lib/project/run/evaluation/settled.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -29,9 +30,11 @@ class Evaluation {
   [[nodiscard]] Issue broken_rule(std::size_t rule) const;
 
   /// Sets values of rows at the size that follows from them.
-  void settle_sizes() { settle_sizes_from(first_size()); }
+  void settle_sizes() { settle_sizes_from(first_size(), Result::current); }
+  /// The same before an evaluation: the result need not be that of these values.
+  void settle_sizes_before() { settle_sizes_from(first_size(), Result::any); }
   /// The same, from the size that was found last: a neighbouring candidate needs fewer rounds.
-  void settle_sizes_again() { settle_sizes_from(settled_); }
+  void settle_sizes_again() { settle_sizes_from(settled_, Result::current); }
   [[nodiscard]] bool is_settled() const { return unsettled_.empty(); }
   /// Why the size does not settle.
   [[nodiscard]] const Message& unsettled() const { return unsettled_; }
@@ -41,9 +44,11 @@ class Evaluation {
   /// The same, and evaluates it.
   bool evaluate_at(std::size_t i);
   /// Evaluates the record as it is.
-  void evaluate_record() { calculator_.evaluate(record().data.get(), result_.data.get()); }
+  void evaluate_record() { is_current_ = false, calculator_.evaluate(record().data.get(), result_.data.get()); }
   /// The same, with the lines of the calculation.
-  void explain_record(Trace& trace) { calculator_.explain(record().data.get(), result_.data.get(), trace); }
+  void explain_record(Trace& trace) {
+    is_current_ = false, calculator_.explain(record().data.get(), result_.data.get(), trace);
+  }
   /// The largest value of a result over the positions, refined between them; NaN if one is not available.
   double largest_result(const FieldInfo& field);
 
@@ -54,7 +59,11 @@ class Evaluation {
   [[nodiscard]] Message missing() const { return is_settled() ? inputs_.missing() : unsettled_; }
 
  private:
-  void settle_sizes_from(double size);
+  enum class Result { current, any };
+  void settle_sizes_from(double size, Result wanted);
+  bool is_settled_from(double size);
+  void keep_settled(double from);
+  [[nodiscard]] bool remembers_sizes() const;
   /// NaN if nothing gives it.
   [[nodiscard]] double size_now();
   [[nodiscard]] double first_size();
@@ -66,6 +75,8 @@ class Evaluation {
   Record result_;
   double settled_ = 0.0;  // size at which values of rows were last looked up
   Message unsettled_;
+  SettledRecords settled_records_;
+  bool is_current_ = false;  // the result is of the record as it settled last
 };
 
 }  // namespace loadpath::project

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace loadpath::formula {
 namespace {
@@ -40,12 +41,26 @@ std::size_t member_sign(std::string_view text) {
   return text.size() > sign && is_letter(text[sign]) ? sign : 0;
 }
 
-/// Operators from the weakest to the strongest; a comparison does not chain.
-using Operators = std::array<std::string_view, 6>;
-constexpr std::array<Operators, 5> levels = {Operators{"||"}, Operators{"&&"},
-                                             Operators{"<=", ">=", "==", "!=", "<", ">"}, Operators{"+", "-"},
-                                             Operators{"*", "/"}};
-constexpr std::size_t comparison = 2;
+/// A comparison does not chain.
+struct Operator {
+  enum Strength { disjunction, conjunction, comparison, sum, product };
+  std::string_view sign;
+  int strength = 0;
+};
+constexpr std::array operators = {
+    Operator{"*", Operator::product},     Operator{"/", Operator::product},      Operator{"+", Operator::sum},
+    Operator{"-", Operator::sum},         Operator{"<=", Operator::comparison},  Operator{">=", Operator::comparison},
+    Operator{"==", Operator::comparison}, Operator{"!=", Operator::comparison},  Operator{"<", Operator::comparison},
+    Operator{">", Operator::comparison},  Operator{"&&", Operator::conjunction}, Operator{"||", Operator::disjunction}};
+
+/// A node that takes its operands over: a list of them in braces would copy the trees.
+Node node_of(Kind kind, std::string_view text, Node&& first, Node&& second) {
+  Node node{kind, std::string(text), {}};
+  node.kids.reserve(2);
+  node.kids.push_back(std::move(first));
+  node.kids.push_back(std::move(second));
+  return node;
+}
 
 class Parser {
  public:
@@ -78,25 +93,29 @@ class Parser {
   }
 
   Tree choice() {
-    Tree condition = infix(0);
+    Tree condition = infix(Operator::disjunction);
     if (!condition || !take("?")) return condition;
     Tree yes = nested(&Parser::choice);
     if (!yes || !take(":")) return std::nullopt;
     Tree no = nested(&Parser::choice);
     if (!no) return std::nullopt;
-    return Node{Kind::choose, "?:", {std::move(*condition), std::move(*yes), std::move(*no)}};
+    Node node = node_of(Kind::choose, "?:", std::move(*condition), std::move(*yes));
+    node.kids.push_back(std::move(*no));
+    return node;
   }
 
-  Tree infix(std::size_t level) {
-    if (level == levels.size()) return unary();
-    Tree left = infix(level + 1);
-    for (bool again = true; left && again; again = level != comparison) {
-      const std::string_view found = take_operator(levels[level]);
-      if (found.empty()) break;
-      Tree right = infix(level + 1);
+  /// Operands between operators that are `weakest` or stronger; those of the right side of an operator are stronger
+  /// than it is.
+  Tree infix(int weakest) {
+    Tree left = unary();
+    for (int strongest = Operator::product; left;) {
+      const Operator found = take_operator(weakest, strongest);
+      if (found.sign.empty()) break;
+      Tree right = infix(found.strength + 1);
       if (!right) return std::nullopt;
-      if (level == comparison) belong(*left, *right);
-      left = Node{Kind::binary, std::string(found), {std::move(*left), std::move(*right)}};
+      if (found.strength == Operator::comparison) belong(*left, *right);
+      left = node_of(Kind::binary, found.sign, std::move(*left), std::move(*right));
+      strongest = found.strength == Operator::comparison ? Operator::conjunction : found.strength;
     }
     return left;
   }
@@ -105,15 +124,14 @@ class Parser {
     const std::size_t type = word.text.rfind("::");
     if (type != std::string::npos) word.text.replace(0, type, choice.text);
   }
-  std::string_view take_operator(const Operators& operators) {
+  Operator take_operator(int weakest, int strongest) {
     skip_blanks();
-    for (const std::string_view op : operators) {
-      if (op.empty() || !rest_.starts_with(op)) continue;
-      if (op == "-" && rest_.starts_with("--")) return {};  // C++ reads -- as one operator
-      rest_.remove_prefix(op.size());
-      return op;
-    }
-    return {};
+    if (rest_.starts_with("--")) return {};  // C++ reads -- as one operator
+    const auto is_next = [&](const Operator& op) { return rest_.starts_with(op.sign); };
+    const auto found = rest_.empty() ? operators.end() : std::find_if(operators.begin(), operators.end(), is_next);
+    if (found == operators.end() || found->strength < weakest || found->strength > strongest) return {};
+    rest_.remove_prefix(found->sign.size());
+    return *found;
   }
 
   Tree unary() {
@@ -121,7 +139,9 @@ class Parser {
     if (rest_.starts_with("-")) return std::nullopt;
     Tree operand = nested(&Parser::unary);
     if (!operand) return std::nullopt;
-    return Node{Kind::negate, "-", {std::move(*operand)}};
+    Node node{Kind::negate, "-", {}};
+    node.kids.push_back(std::move(*operand));
+    return node;
   }
 
   Tree primary() {

@@ -27,15 +27,10 @@ bool is_path(std::string_view path, std::string_view scope, std::string_view nam
          path.ends_with(name);
 }
 
-/// The scopes that a name can be of, from the inner one outwards: "segments[2]", "".
-std::vector<std::string> scopes_from(std::string scope) {
-  std::vector<std::string> scopes{scope};
-  while (!scope.empty()) {
-    const std::size_t dot = scope.rfind('.');
-    scope.resize(dot == std::string::npos ? 0 : dot);
-    scopes.push_back(scope);
-  }
-  return scopes;
+/// The scope outside of a scope: "segments[2]" of "segments[2].left", "" of "segments[2]".
+std::string_view outside_of(std::string_view scope) {
+  const std::size_t dot = scope.rfind('.');
+  return scope.substr(0, dot == std::string_view::npos ? 0 : dot);
 }
 
 /// The name after the element: ".key_end" in "safeties.key_end", "[2]" in "segments[2]".
@@ -141,17 +136,18 @@ class Tracing {
     }
   }
 
-  /// The last line before that gave the name this value.
-  bool follow_line(std::size_t before, const std::string& from, const account::Step::Given& given) {
-    for (const std::string& scope : scopes_from(from)) {
+  /// The last line before that gave the name this value, of the inner scope or else of those outside of it.
+  bool follow_line(std::size_t before, std::string_view scope, const account::Step::Given& given) {
+    while (true) {
       for (std::size_t i = before; i-- > 0;) {
         const Derived& line = account_.derivation[i];
-        if (line.scope != scope || line.step.symbol != given.name || line.step.value.si != given.si) continue;
+        if (line.step.value.si != given.si || line.scope != scope || line.step.symbol != given.name) continue;
         follow(i);
         return true;
       }
+      if (scope.empty()) return false;
+      scope = outside_of(scope);
     }
-    return false;
   }
 
   void add_input(const Derived& line, const std::string& name) {

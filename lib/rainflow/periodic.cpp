@@ -16,13 +16,18 @@ class TurnedBack : public Consumer {
 
   void take(const Batch& batch) override {
     where_.clear();
-    for (const Where& where : batch.where)
-      where_.push_back({(where.begin + first_) % period_, (where.end + first_) % period_});
+    for (const Where& where : batch.where) where_.push_back({turned_back(where.begin), turned_back(where.end)});
     consumer_->take({batch.loops, batch.count, where_});
   }
   void pass(std::span<const double> turning_points) override { consumer_->pass(turning_points); }
 
  private:
+  /// Of a place in the period, or of its first sample once more.
+  [[nodiscard]] std::uint64_t turned_back(std::uint64_t place) const {
+    const std::uint64_t at = place + first_;
+    return at < period_ ? at : at - period_;
+  }
+
   Consumer* consumer_;
   std::uint64_t first_, period_;
   std::vector<Where> where_;
@@ -35,7 +40,8 @@ std::optional<Fault> count_periodic(std::span<const double> period, const Rules&
   full.residue = Residue::ignore;
   if (auto fault = contradiction(full)) return fault;
   for (std::size_t i = 0; i < period.size(); ++i) {
-    if (auto fault = refusal(period[i], i)) return fault;
+    if (std::abs(period[i]) <= largest_value) continue;
+    return refusal(period[i], i);
   }
   if (period.empty()) return std::nullopt;
   const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };

@@ -27,6 +27,13 @@ constants = font["MATH"].table.MathConstants
 constants.RadicalKernBeforeDegree.Value = 60
 constants.RadicalKernAfterDegree.Value = -360
 constants.RadicalDegreeBottomRaisePercent = 62
+# Only these grow with what they enclose.
+variants = font["MATH"].table.MathVariants
+growing = {"parenleft", "parenright", "bar", "braceleft", "uni221A"}
+kept_pairs = [pair for pair in zip(variants.VertGlyphCoverage.glyphs, variants.VertGlyphConstruction) if pair[0] in growing]
+variants.VertGlyphCoverage.glyphs = [glyph for glyph, _ in kept_pairs]
+variants.VertGlyphConstruction = [construction for _, construction in kept_pairs]
+variants.VertGlyphCount = len(kept_pairs)
 # The font's own ascent is that of its largest integral; a line of text with a symbol would be three lines high.
 metrics = font["OS/2"]
 font["hhea"].ascent, font["hhea"].descent = 900, -250
@@ -34,11 +41,12 @@ metrics.usWinAscent, metrics.usWinDescent = 900, 250
 font.save(sys.argv[2])
 PYTHON
 
-# Latin, its signs and superscripts, pi, operators, the radical, math italics of Latin and Greek. Other letters, upright Greek
-# ones and arrows, are set in the sans font. Without the text of the licence, which the file LICENSE has, and without
+# Latin, its superscripts, pi, operators, the radical, math italics of Latin and of Greek letters that are none of its letters
+# by another name. Other letters and signs, upright Greek ones and arrows, are set in the sans font. Without the text of the licence, which the file LICENSE has, and without
 # kerning and variants of scripts, which lines of text have not either.
 /usr/bin/python3 -m fontTools.subset "$renamed" --output-file="$target" --flavor=woff2 --layout-features='' \
   --drop-tables+=FFTM,GDEF --no-hinting --desubroutinize --no-recalc-timestamp --name-IDs='0,1,2,3,4,6,14' \
   --notdef-outline --unicodes="\
-U+0020-007E,U+00A0,U+00B0-00B3,U+00B5,U+00B7,U+00B9,U+00D7,U+03C0,U+2009,U+2026,U+2032,U+210E,U+2126,U+2192,U+2212,U+221A,\
-U+221E,U+2227,U+2228,U+2248,U+2260,U+2264,U+2265,U+22C5,U+1D434-1D467,U+1D6E2-1D71B"
+U+0020-0021,U+0025,U+0028-003A,U+003C-003E,U+0041-005A,U+0061-007D,U+00A0,U+00B0-00B3,U+00B5,U+00B7,U+00B9,U+00D7,U+03C0,U+2009,\
+U+2026,U+2032,U+210E,U+2126,U+2212,U+221A,U+221E,U+2227,U+2228,U+2248,U+2260,U+2264,U+2265,U+22C5,U+1D434-1D467,U+1D6E4,U+1D6E5,\
+U+1D6E9,U+1D6EC,U+1D6EF,U+1D6F1,U+1D6F4,U+1D6F6,U+1D6F7,U+1D6F9,U+1D6FA,U+1D6FC-1D709,U+1D70B,U+1D70C,U+1D70E-1D714"

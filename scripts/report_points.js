@@ -35,7 +35,7 @@ function edges() {
 // The width of a cell or paragraph against that of its longest word: browsers give a block less only where it is forced to.
 function words() {
   const probe = document.createElement("canvas").getContext("2d");
-  for (const e of all("main td, main th, main dd, .w, .derivation > li > *")) {
+  for (const e of all("main td, main th, main dd, .derivation > li > *")) {
     if (!is_seen(e)) continue;
     const style = getComputedStyle(e);
     if (e.clientWidth < 3 * parseFloat(style.fontSize) && e.textContent.trim().length > 12 && !e.querySelector("math, i")) report(7, `${e.clientWidth} px for: ${e.textContent}`);
@@ -79,7 +79,7 @@ function sizes() {
     const scale = svg.getBoundingClientRect().width / (svg.viewBox.baseVal.width || 1);
     for (const t of texts_of(svg)) if (points(t, scale) < 6.4 - 1e-6) report(11, `${points(t, scale).toFixed(2)} pt in a figure: ${t.textContent}`);
   }
-  const lefts = new Set(all(".sheet .derivation .w").filter(is_seen).map((e) => Math.round(e.getBoundingClientRect().left)));
+  const lefts = new Set(all(".sheet .derivation > li:not(.n) > :last-child").filter(is_seen).map((e) => Math.round(e.getBoundingClientRect().left)));
   if (lefts.size > 1) report(12, `notes begin at ${[...lefts].join(", ")}`);
 }
 

@@ -26,7 +26,8 @@ std::string side(std::vector<std::string> terms) {
 /// The first cell of a line is one element.
 std::string left_of(const Step& step) {
   const std::string left = symbol(step.symbol);
-  return left.starts_with("<i>") || left.starts_with("<math>") ? left : "<span>" + left + "</span>";
+  if (left.starts_with("<i>")) return "<p>" + bare(left) + "</p>";
+  return left.starts_with("<math>") ? left : "<span>" + left + "</span>";
 }
 
 std::string cell_of(const std::string& content) { return content.empty() ? "" : "<p>" + content + "</p>"; }
@@ -61,11 +62,13 @@ std::string_view setting_class(Setting setting) {
 }
 
 /// None for a line of all cells in a single row: most are. A "v" is a value without a formula, a "k" a formula without
-/// numbers to put in.
-std::string classes_of(Setting setting, const Sides& sides) {
+/// numbers to put in, an "n" a line without words.
+std::string classes_of(Setting setting, const Sides& sides, bool has_words) {
   std::string names(setting_class(setting));
   const std::string_view missing = sides.formula.empty() ? "v" : sides.numbers.empty() ? "k" : "";
-  if (!missing.empty()) names.append(names.empty() ? "" : " ").append(missing);
+  for (const std::string_view name : {missing, std::string_view(has_words ? "" : "n")}) {
+    if (!name.empty()) names.append(names.empty() ? "" : " ").append(name);
+  }
   return names.empty() ? names : " class=\"" + names + "\"";
 }
 
@@ -86,18 +89,16 @@ std::optional<Derivation> as_lines(const Table& table) {
   return lines;
 }
 
-// A report has some thousand lines, so their cells are known by their places: symbol, formula, numbers, result. Only
-// the words behind them have a name.
+// A report has some thousand lines, so their cells are known by their places: symbol, formula, numbers, result, words.
 std::string derivation(const Derivation& derivation) {
   std::string out = "<ul class=\"derivation\">\n";
   for (const Step& step : derivation.steps) {
     const std::string result = side({formula::quantity_mathml(written(step.value))});
     const Worked w = step.formula.empty() ? Worked{} : worked(step);
     const Sides sides = sides_of(step, w, result);
-    out += "<li" + classes_of(setting_of(step, w), sides) + ">" + left_of(step) + cell_of(sides.formula) +
-           cell_of(sides.numbers) + cell_of(result);
-    if (!step.why.empty()) out += "<p class=\"w\">" + prose(step.why.text()) + "</p>";
-    out += "</li>\n";
+    out += "<li" + classes_of(setting_of(step, w), sides, !step.why.empty()) + ">" + left_of(step) +
+           cell_of(sides.formula) + cell_of(sides.numbers) + cell_of(result) + cell_of(prose(step.why.text())) +
+           "</li>\n";
   }
   return out + "</ul>\n";
 }

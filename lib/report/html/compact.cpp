@@ -10,8 +10,6 @@ namespace {
 
 using View = std::string_view;
 
-constexpr View blanks = " \t\n\r\f";
-
 template <std::size_t n>
 bool is_one_of(View word, const std::array<View, n>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -33,7 +31,18 @@ bool is_implied(View tag, View following) {
                                                  "pre", "/details", "details", "h3",      "ul",       "li",     "/li"};
   const View next = name_of_tag(following);
   if (next.empty()) return false;
-  return is_one_of(tag, always) || (tag == "/p" && is_one_of(next, end_a_paragraph));
+  return tag == "/p" ? is_one_of(next, end_a_paragraph) : is_one_of(tag, always);
+}
+
+/// Whether such a tag may be left out at all: most end formulas, subscripts and the like.
+bool may_be_implied(View tag) {
+  return tag.size() > 1 && (tag[1] == 't' || tag[1] == 'p' || tag[1] == 'l' || tag[1] == 'd');
+}
+
+View without_blanks(View text) {
+  std::size_t at = 0;
+  while (at < text.size() && (text[at] == ' ' || ('\t' <= text[at] && text[at] <= '\r'))) ++at;
+  return text.substr(at);
 }
 
 /// A value that needs no quotation marks before `next`: a solidus would become a part of it.
@@ -43,7 +52,7 @@ bool stands_bare(View value, View next) {
 
 /// A start tag; classes without a name and the name space of SVG, which a page has anyway, are left out.
 void append_start(std::string& out, View tag) {
-  while (!tag.empty()) {
+  while (tag.find('=') != View::npos) {
     const std::size_t equal = tag.find("=\"");
     const std::size_t end = equal == View::npos ? View::npos : tag.find('"', equal + 2);
     if (end == View::npos) break;
@@ -82,9 +91,12 @@ std::string compact(std::string_view page) {
     if (size == View::npos) return out.append(page);
     const View name = name_of_tag(page), tag = page.substr(0, size + 1);
     if (name.starts_with('/')) {
-      const View after = page.substr(size + 1);
-      const View following = after.substr(std::min(after.find_first_not_of(blanks), after.size()));
-      page = is_implied(name, following) ? following : (out += tag, after);
+      page.remove_prefix(size + 1);
+      const View following = may_be_implied(name) ? without_blanks(page) : View();
+      if (is_implied(name, following))
+        page = following;
+      else
+        out += tag;
       continue;
     }
     const std::size_t verbatim = end_of_verbatim(page, name);

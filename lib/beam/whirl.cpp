@@ -1,5 +1,6 @@
 #include "lib/beam/whirl.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,8 +10,8 @@ namespace {
 
 /// A root found with a change of the count next to it; otherwise there is no convergence.
 template <class Count>
-double settled(std::size_t i, const Count& count, double near) {
-  constexpr double beside = 1e-6, finest = 1e-11;
+double settled(std::size_t i, const Count& count, double near, double finest) {
+  const double beside = std::max(1e-6, 10.0 * finest);
   const double found = numerics::counted_root(i, count, near, finest);
   const bool is_there = count((1.0 - beside) * found).below <= i && count((1.0 + beside) * found).below > i;
   return is_there ? found : std::numeric_limits<double>::quiet_NaN();
@@ -46,14 +47,15 @@ numerics::Counted Whirl::walk(double square, double gyro) const {
   return counted;
 }
 
-double Whirl::natural(std::size_t i, Sense sense, double spin, double near) const {
+double Whirl::natural(std::size_t i, Sense sense, double spin, double near, double finest) const {
   return settled(
-      i, [&](double w) { return walk(w * w, sign(sense) * w * spin); }, near);
+      i, [&](double w) { return walk(w * w, sign(sense) * w * spin); }, near, finest);
 }
 
 double Whirl::critical(std::size_t i, Sense sense, double near) const {
+  constexpr double finest = 1e-11;
   return settled(
-      i, [&](double w) { return walk(w * w, sign(sense) * w * w); }, near);
+      i, [&](double w) { return walk(w * w, sign(sense) * w * w); }, near, finest);
 }
 
 std::size_t Whirl::below(double w, Sense sense, double spin) const { return walk(w * w, sign(sense) * w * spin).below; }

@@ -24,9 +24,10 @@ class Whirl {
  public:
   Whirl(const Beam& beam, const Row<Inertia>& inertias);
 
-  /// Number i, from 0 on, of the frequencies of a beam that turns at `spin`, rad/s; `near`: about where it is. NaN
-  /// if there is none, or it does not settle.
-  [[nodiscard]] double natural(std::size_t i, Sense sense, double spin, double near = 256.0) const;
+  /// Number i, from 0 on, of the frequencies of a beam that turns at `spin`, rad/s; `near`: about where it is;
+  /// `finest`: its relative precision. NaN if there is none, or it does not settle.
+  [[nodiscard]] double natural(std::size_t i, Sense sense, double spin, double near = 256.0,
+                               double finest = 1e-11) const;
   /// The same for the speeds of synchronous whirling. A disc of I_p > I_d has no such speed forwards.
   [[nodiscard]] double critical(std::size_t i, Sense sense, double near = 256.0) const;
 

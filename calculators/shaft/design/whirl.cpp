@@ -76,12 +76,13 @@ Whirled whirled(std::size_t i, const beam::Whirl& whirl, AngularSpeed n, double 
 
 /// One frequency over the speed, each looked for where the last was.
 figure::Curve branch(const beam::Whirl& whirl, std::size_t i, Sense sense, double fastest) {
-  constexpr int parts = 16;  // of a curve that bends little
+  constexpr int parts = 16;        // of a curve that bends little
+  constexpr double finest = 1e-6;  // more cannot be seen
   figure::Curve curve{std::to_string(i + 1) + (sense == Sense::forward ? " forward" : " backward"), {}, {}};
   double near = unset<double>;
   for (int k = 0; k <= parts; ++k) {
     curve.x.push_back(fastest * k / parts);
-    near = whirl.natural(i, sense, curve.x.back(), above(near));
+    near = whirl.natural(i, sense, curve.x.back(), above(near), finest);
     curve.y.push_back(near / (2.0 * pi));
   }
   return curve;

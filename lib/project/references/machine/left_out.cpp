@@ -43,14 +43,33 @@ struct LargestLoad {
   const char* unit = "";
 };
 
+/// A load that is given, or that a search finds: the largest that passes.
+double load_at(const Step& step, const Project& project, const std::string& path) {
+  const double own = std::abs(own_value(step, project, path));
+  return std::isnan(own) ? std::abs(magnitude_at(project, step.name() + "." + path)) : own;
+}
+
+/// Whether a peak is one of a value that the load is computed from: "Q_test" next to F = "=values.phi*values.Q".
+bool is_peak_of_source(const Step& step, const std::string& path, const std::string& name) {
+  const std::size_t end = name.rfind('_');
+  const Operand* const operand = step.input().reading.operand(path);
+  if (end == std::string::npos) return false;
+  const std::string index = name.substr(end + 1), stem = name.substr(0, end);
+  if (!is_of_peak(index) && index != "test") return false;
+  const auto typed = step.input().reading.typed.find(path);
+  if (typed != step.input().reading.typed.end() && typed->second.shared == "values." + stem) return true;
+  return operand != nullptr && std::ranges::any_of(operand->expression.references(), [&](const auto& reference) {
+           return reference.path == "values." + stem;
+         });
+}
+
 LargestLoad largest_load(const Step& step, const Project& project, const std::string& name,
                          const Dimension& dimension) {
   LargestLoad largest;
   for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-    if (!is_comparable(*leaf.field) || !is_named_as_peak(name, leaf.field->key) ||
-        !(leaf.field->dimension == dimension))
-      return;
-    const double si = std::abs(own_value(step, project, path));
+    const bool is_meant = is_named_as_peak(name, leaf.field->key) || is_peak_of_source(step, path, name);
+    if (!is_comparable(*leaf.field) || !is_meant || !(leaf.field->dimension == dimension)) return;
+    const double si = load_at(step, project, path);
     if (si > largest.si) largest = {path, si, leaf.field->unit};
   });
   return largest;

@@ -255,7 +255,10 @@ class Conditions {
   /// "n_over", "n_trip" above the speed of a rotating part; a much higher one is that of another shaft.
   void compare_overspeed(const std::string& name, double si) {
     constexpr double most = 3.0;
-    if (!has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin"}) || field("n") == nullptr) return;
+    const bool is_most = name == "n_max" && id_ == "machine.disc";  // its n is the maximum speed
+    if (!(is_most || has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin"})) ||
+        field("n") == nullptr)
+      return;
     const auto has_it = [&](const auto& one) { return std::abs(own_value(*one, project_, "n")) >= si * (1.0 - 1e-3); };
     const double typed = own("n"), here = std::abs(std::isnan(typed) ? found("n") : typed);
     if (!(si > here && si <= most * here) || std::ranges::any_of(project_.steps, has_it)) return;

@@ -104,7 +104,7 @@ class OwnInputs {
       return;
     }
     const bool is_of_part = is_of_body(dimension) || name.starts_with("z_1") || name.starts_with("z_2");
-    const bool is_one_of_many = is_of_part && name != "c_t" && steps_with(name) > 1;
+    const bool is_one_of_many = is_of_part && name != "c_t" && !is_same_in_all(name, here);
     const bool is_spur = name == "beta" && here == 0.0 && is_harmless(name, stated);
     if (is_spur || is_equal(here, stated) || is_safe(name, here, stated) || is_one_of_many) return;
     if (is_same_or_foreign(name, dimension, here, stated)) return;
@@ -148,9 +148,11 @@ class OwnInputs {
     });
   }
 
-  [[nodiscard]] std::ptrdiff_t steps_with(const std::string& name) const {
-    return std::ranges::count_if(project_.steps, [&](const auto& other) {
-      return input_of(*other, name) != nullptr && !std::isnan(known(*other, project_, name));
+  /// Whether all steps that have a value of this name have the same one, as the rating of a gear pair and the pair.
+  [[nodiscard]] bool is_same_in_all(const std::string& name, double here) const {
+    return std::ranges::all_of(project_.steps, [&](const auto& other) {
+      const double there = input_of(*other, name) == nullptr ? std::nan("") : known(*other, project_, name);
+      return std::isnan(there) || is_equal(there, here);
     });
   }
 

@@ -4,6 +4,8 @@
 #include "lib/project/references/stated/conditions.hpp"
 #include "lib/project/references/stated/moving_bodies.hpp"
 #include "lib/project/references/stated/own_inputs.hpp"
+#include "lib/project/references/stated/results.hpp"
+#include "lib/project/references/stated/rows.hpp"
 
 namespace loadpath::project {
 
@@ -11,7 +13,8 @@ std::vector<ReducedLoad> values_not_taken(const Step& step, const Project& proje
   if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return {};
   std::vector<ReducedLoad> all;
   for (const auto& found : {inputs_stated_otherwise(step, project), conditions_stated_only(step, project),
-                            bodies_stated_only(step, project), columns_stated_otherwise(step, project)})
+                            bodies_stated_only(step, project), columns_stated_otherwise(step, project),
+                            results_stated_otherwise(step, project), rows_stated_otherwise(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

@@ -16,6 +16,20 @@ std::string key(const std::string& name, const std::string& T) {
          "MPa\"\nS_F = 1.5\nR_e_2 = \"250 MPa\"\nR_e_k = \"420 MPa\"\n\n";
 }
 
+/// A shaft with a drum, and another component on its free end, next to a chain with K_A.
+std::string drum(const std::string& F, const std::string& other) {
+  return "[chain]\ncalculator = \"chain.roller\"\nchain = \"20B\"\nz_1 = 19\nz_2 = 38\na = \"1000 mm\"\nn_1 = \"60 "
+         "rpm\"\nP = \"1 kW\"\nK_A = 1.4\np_adm = \"30 MPa\"\nS_min = 8\n[shaft]\ncalculator = "
+         "\"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nn = \"100 rpm\"\npieces = [{ l = \"300 "
+         "mm\", d "
+         "= \"60 mm\" }]\nsupports = [{ name = \"left\", x = \"20 mm\", holds = \"both\" }, { name = \"right\", x = "
+         "\"220 "
+         "mm\" }]\nseats = [{ name = \"drum\", x = \"120 mm\", integral = true, b = \"60 mm\", I_p = \"0.01 kg*m^2\", "
+         "F_x = \"" +
+         F + "\" }, { name = \"end\", x = \"270 mm\", integral = true, b = \"20 mm\", I_p = \"0.01 kg*m^2\", F_x = \"" +
+         other + "\" }]\nS_F = 1.5\n";
+}
+
 std::string hub(const std::string& steps) { return mode_of(solved_as_found(values + steps), "key", "hub"); }
 
 std::string bearing(const std::string& n) {
@@ -49,6 +63,36 @@ TEST_SUITE("found parts of values") {
     CHECK(bearing("=0.97*values.n") == "pass");  // slip
     CHECK(bearing("=values.n/60") == "not-judged");
     CHECK(bearing("=0.1*values.n") == "not-judged");
+  }
+
+  TEST_CASE("the force of a mounted component is no part of a value, also of one that is computed") {
+    const auto state = [](const std::string& F, const std::string& other = "0 N") {
+      return mode_of(
+          solved_as_found(
+              "[values]\nm = \"200 kg\"\nF = \"=values.m*9.81 m/s^2\"\nF_half = \"=values.F/2\"\nG = \"2 kN\"\n" +
+              drum(F, other)),
+          "shaft", "yield");
+    };
+    CHECK(state("=values.F") == "pass");
+    CHECK(state("=-values.F") == "pass");
+    CHECK(state("=values.F/2", "=values.F/2") == "pass");
+    for (const char* const F : {"=values.F/2", "=-0.5*values.F", "=values.F/4", "=chain.K_A*(0.6*values.G)"})
+      CHECK_MESSAGE(state(F) == "not-judged", F);
+    CHECK(state("=chain.K_A*(1.6*values.G)") == "pass");
+    CHECK(state("=values.F_half") == "pass");  // a value that states the share
+  }
+
+  TEST_CASE("a diameter is not half of the value under its name") {
+    const auto state = [](const std::string& D) {
+      return mode_of(solved_as_found("[values]\nD = \"400 mm\"\nR = \"400 mm\"\nD_o = \"=values.D/2\"\n[disc]\n"
+                                     "calculator = \"machine.disc\"\nn = \"3000 rpm\"\nd_i = \"60 mm\"\nb = \"40 mm\"\n"
+                                     "material = \"C45E\"\nS = 2\nD = \"" +
+                                     D + "\"\n"),
+                     "disc", "strength");
+    };
+    for (const char* const D : {"=values.D", "=0.98*values.D", "=values.R/2", "=values.D_o"})
+      CHECK_MESSAGE(state(D) == "pass", D);
+    for (const char* const D : {"=values.D/2", "=0.5*values.D"}) CHECK_MESSAGE(state(D) == "not-judged", D);
   }
 
   TEST_CASE("a temperature of [values] is one in an expression, as that of a step is") {

@@ -50,8 +50,24 @@ bool is_part_of_cycle(std::string_view what) {
   return what == "amplitude" || what == "mean" || what == "min" || what == paired_amplitude || what == paired_middle;
 }
 
+/// "values.F" of "-0.5*values.F/2" as written; empty if it is not a multiple of one value.
+std::string written_multiple(std::string text) {
+  std::erase(text, ' ');
+  std::string found;
+  for (std::size_t at = text.starts_with('-') ? 1 : 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of("*/", at), text.size());
+    const std::string factor = text.substr(at, end - at);
+    const bool is_value = factor.starts_with(of_values) && factor.find_first_of("()+-^") == std::string::npos;
+    const bool is_number = !factor.empty() && factor.find_first_not_of("0123456789.") == std::string::npos;
+    if (is_value == is_number || (is_value && (!found.empty() || (at > 0 && text[at - 1] == '/')))) return {};
+    if (is_value) found = factor;
+    at = end + 1;
+  }
+  return found;
+}
+
 /// The only value that an expression refers to, where it is one of [values]; empty else.
-std::string only_value(const Operand& operand) {
+std::string only_reference(const Operand& operand) {
   const auto& references = operand.expression.references();
   const bool is_one = !references.empty() && std::ranges::all_of(references, [&](const auto& reference) {
     return reference.path == references.front().path;
@@ -59,8 +75,21 @@ std::string only_value(const Operand& operand) {
   return is_one && references.front().path.starts_with(of_values) ? references.front().path : std::string();
 }
 
+/// The same, or the value that it is a multiple of as written, which may be computed from others.
+std::string only_value(const Operand& operand) {
+  std::string written = written_multiple(operand.text);
+  return written.empty() ? only_reference(operand) : written;
+}
+
+/// A value of [values], typed or computed from others; null if it is unknown before the steps are solved.
+const Value* stated_value(const Project& project, const std::string& path) {
+  const Value* const typed = project.value(path);
+  return typed != nullptr ? typed : project.values.fixed(path.substr(of_values.size()));
+}
+
 /// A number of the step that the whole is divided by, or multiplied with: four screws, a share.
-bool is_explained(const Step& step, const Project& project, double share) {
+bool is_explained(const Step& step, const Project& project, const Operand& operand, double share) {
+  if (operand.path.starts_with("seats")) return false;  // counts of the shaft are none of a mounted component
   const auto& fields = step.input().calculator->input->fields;
   return std::ranges::any_of(fields, [&](const FieldInfo& field) {
     const std::string_view key = field.key;
@@ -77,11 +106,18 @@ bool loads_a_part(const FieldInfo& field, std::string_view path) {
   return (field.is_load && !field.dimension.is_number()) || is_mass;
 }
 
-/// The values of [values] that a product consists of, each once: "values.P values.n"; empty if it refers to anything
-/// else, or to a length: "values.F*values.l/4" is the moment of a beam.
+/// "chain.K_A": the factor of another step that a load of [values] is multiplied with.
+bool is_application_factor(const std::string& path) { return !path.starts_with(of_values) && path.ends_with(".K_A"); }
+
+/// The values of [values] that a product consists of, each once: "values.P values.n", with the application factor of
+/// another step; empty if it refers to anything else, or to a length: "values.F*values.l/4" is the moment of a beam.
 std::string values_of_product(const Operand& operand, const Project& project) {
   std::set<std::string> paths;
   for (const auto& reference : operand.expression.references()) {
+    if (is_application_factor(reference.path)) {
+      paths.insert(reference.path);
+      continue;
+    }
     const Value* const value = reference.path.starts_with(of_values) ? project.value(reference.path) : nullptr;
     if (value == nullptr || value->is_series() || value->signature.dimension == Dimension::of(1, 0, 0)) return {};
     paths.insert(reference.path);
@@ -115,7 +151,8 @@ double taken_in_parts(const Project& project, const std::string& path, double wh
 bool is_half_of_two(const Operand& operand, double share) {
   constexpr double half = 0.5;
   const Dimension& dimension = operand.leaf.field->dimension;
-  const bool is_shared = dimension == Dimension::of(1, 1, -2) || dimension == Dimension::of(0, 1, 0);
+  const bool is_on_shaft = operand.path.starts_with("seats");  // the other half would be on it, too
+  const bool is_shared = !is_on_shaft && (dimension == Dimension::of(1, 1, -2) || dimension == Dimension::of(0, 1, 0));
   if (!is_shared || share < (1.0 - few_digits) * half) return false;
   std::string text = operand.text;
   std::erase(text, ' ');
@@ -126,12 +163,16 @@ bool is_half_of_two(const Operand& operand, double share) {
   return text.find("0.5*") != std::string::npos || text.ends_with("*0.5");
 }
 
-/// Whether the input has the product itself: a value of [values] states a share by its name.
-bool is_written_as_product(const Step& step, const Operand& operand) {
+/// Whether the input is a value of [values] as it is, which states a share by its name.
+bool is_named(const Step& step, const Operand& operand) {
   const auto& typed = step.input().reading.typed;
   const auto at = typed.find(operand.path);
-  const bool is_named = at != typed.end() && !at->second.shared.empty();
-  return !is_named && operand.text.find_first_of("*/") != std::string::npos;
+  return at != typed.end() && !at->second.shared.empty();
+}
+
+/// Whether the input has the product itself.
+bool is_written_as_product(const Step& step, const Operand& operand) {
+  return !is_named(step, operand) && operand.text.find_first_of("*/") != std::string::npos;
 }
 
 /// A load that is a part of a product of [values] by a bare number: "T = =values.P/values.n/1.5".
@@ -143,7 +184,7 @@ void compare_product(const Step& step, const Project& project, const Operand& op
   const std::string values = values_of_product(operand, project);
   const bool is_part = means(*step.input().calculator, operand.path, &is_part_of_cycle);
   if (values.find(' ') == std::string::npos || !is_written_as_product(step, operand) || is_part) return;
-  if (is_half_of_two(operand, share) || is_explained(step, project, share)) return;
+  if (is_half_of_two(operand, share) || is_explained(step, project, operand, share)) return;
   const double whole = std::abs(own_value(step, project, operand.path)) / share;
   const auto values_of = [&](const Operand& other) { return values_of_product(other, project); };
   if (!(whole > 0.0) || taken_in_parts(project, values, whole, field.dimension, values_of) >= least_share * whole)
@@ -165,10 +206,27 @@ void compare_speed(const Step& step, const Project& project, const Operand& oper
   const std::string& path = references.front().path;
   const Value* const value = project.value(path);
   if (value == nullptr || value->signature.dimension != turning || !is_written_as_product(step, operand)) return;
-  if (is_explained(step, project, share)) return;
+  if (is_explained(step, project, operand, share)) return;
   found.push_back({operand.path, say("{1} is {2} times '{3}': speeds have units, and a ratio is a value of [values] or "
                                      "of the drive; refer to it, or justify it: {4} = \"...\"",
                                      operand.path, format_number(share, 4), path, because_key(operand.path))});
+}
+
+/// A diameter that is a part of the value under its own name: "D = =values.D/2" is a radius.
+void compare_diameter(const Step& step, const Project& project, const Operand& operand,
+                      std::vector<ReducedLoad>& found) {
+  constexpr double least = 0.95, most = 1.05;  // of a groove, with an allowance
+  const std::string& key = operand.path;
+  const std::string path = std::string(of_values) + key;
+  const bool is_diameter = (key[0] == 'd' || key[0] == 'D') && (key.size() == 1 || key[1] == '_');
+  if (!is_diameter || only_value(operand) != path || is_named(step, operand)) return;
+  const Value* const value = stated_value(project, path);
+  if (value == nullptr || value->si.size() != 1) return;
+  const double share = std::abs(own_value(step, project, key) / value->si.front());
+  if (operand.leaf.field->dimension != Dimension::of(1, 0, 0) || !(share < least || share > most)) return;
+  found.push_back({key, say("{1} is {2} times 'values.{1}', which is this diameter by its name: write {1} = "
+                            "\"=values.{1}\", rename the value, or justify it: {3} = \"...\"",
+                            key, format_number(share, 4), because_key(key))});
 }
 
 /// A load that is a part of a load of [values] by a bare number: "F = =values.F/4". The parts may make up the whole,
@@ -177,15 +235,16 @@ void compare_load(const Step& step, const Project& project, const Operand& opera
   const std::string path = only_value(operand);
   const FieldInfo& field = *operand.leaf.field;
   if (path.empty() || !loads_a_part(field, operand.path) || operand.expression.is_reference()) return;
-  const Value* const value = project.value(path);
-  if (value == nullptr || value->is_series() || value->signature.dimension != field.dimension) return;
+  if (is_named(step, operand) && path != only_reference(operand)) return;
+  const Value* const value = stated_value(project, path);
+  if (value == nullptr || value->si.size() != 1 || value->signature.dimension != field.dimension) return;
   if (operand.text.find("sin") != std::string::npos || operand.text.find("cos") != std::string::npos ||
       operand.text.find("tan") != std::string::npos || means(*step.input().calculator, operand.path, &is_part_of_cycle))
     return;
-  const double stated = std::abs(magnitude_at(project, path));
+  const double stated = std::abs(value->si.front());
   const double share = std::abs(own_value(step, project, operand.path)) / stated;
   if (!(stated > 0.0 && share > 0.0 && share < least_share) || is_half_of_two(operand, share) ||
-      is_explained(step, project, share))
+      is_explained(step, project, operand, share))
     return;
   if (taken_in_parts(project, path, stated, field.dimension, &only_value) >= least_share * stated) return;
   found.push_back({operand.path, say("{1} is {2} times '{3}', and no input takes the rest: refer to a value that "
@@ -205,6 +264,7 @@ std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project
       compare_load(step, project, operand, found);
       compare_product(step, project, operand, found);
       compare_speed(step, project, operand, found);
+      compare_diameter(step, project, operand, found);
     }
     if (safer == 0 || operand.expression.is_reference() || references.size() != 1) continue;
     const std::string& path = references.front().path;

@@ -153,4 +153,26 @@ TEST_SUITE("found seats") {
           std::string::npos);  // d_f = 3 (21 - 2.5 + 0.6) = 57.3 mm
     CHECK(first_error_of(gears + shaft_with(seat, "integral = true", "57 mm")).empty());
   }
+
+  TEST_CASE("a component integral with the shaft has no keyway under it") {
+    const auto with = [](const std::string& notches, const std::string& coupling) {
+      return key_with("1") + shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\"", coupling) + "notches = [" + notches +
+             "]\n";
+    };
+    const std::string keyway = "{ name = \"k\", x = \"195 mm\", part = \"=key.notch\" }";
+    CHECK(is_doubted(with(keyway, "integral = true"), "the notch of 'key' lies under it"));
+    CHECK_FALSE(is_doubted(with(keyway, "connection = \"=key.connection\""), "lies under it"));
+  }
+
+  TEST_CASE("a cross hole is as wide as the pin in it") {
+    const auto with = [](const std::string& r) {
+      return "[pin]\ncalculator = \"pin.cross\"\nT = \"140 N*m\"\nloading = \"pulsating\"\nd = \"12 mm\"\nd_w = \"50 "
+             "mm\"\nD = \"100 mm\"\nR_m = \"800 MPa\"\np_adm_1 = \"120 MPa\"\np_adm_2 = \"90 MPa\"\ntau_adm_1 = \"60 "
+             "MPa\"\n" +
+             shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\"", "connection = \"=pin.connection\"") +
+             "notches = [{ name = \"k\", x = \"195 mm\", kind = \"cross-hole\", r = \"" + r + "\" }]\n";
+    };
+    CHECK(is_doubted(with("1 mm"), "is the radius of a hole of 2 mm"));
+    CHECK_FALSE(is_doubted(with("6 mm"), "is the radius of a hole"));
+  }
 }

@@ -10,10 +10,10 @@ using namespace loadpath::test;
 namespace {
 
 std::string bearing(const std::string& name, const std::string& carries, const std::string& F_r,
-                    const std::string& mate) {
+                    const std::string& mate, const std::string& Y = "1.6") {
   return "[" + name + "]\ncalculator = \"bearing.rolling\"\nbearing = \"30208\"\nF_r = \"" + F_r +
          "\"\nF_a = \"2 kN\"\ncarries = \"" + carries +
-         "\"\nn = \"900 rpm\"\nL_h = \"10000 h\"\ns_0 = 2\nmate = { F_r = \"" + mate + "\", Y = 1.6 }\n\n";
+         "\"\nn = \"900 rpm\"\nL_h = \"10000 h\"\ns_0 = 2\nmate = { F_r = \"" + mate + "\", Y = " + Y + " }\n\n";
 }
 
 std::string limit_and_life(const std::string& sigma_D, const std::string& material = "C45E") {
@@ -84,6 +84,16 @@ TEST_SUITE("found unlinked steps") {
     };
     CHECK(state("4 kN") == "pass");
     CHECK(state("1 kN") == "not-judged");
+  }
+
+  TEST_CASE("the factor of the opposed bearing is that of its row") {  // Y = 1.6 of a 30208
+    const auto state = [](const std::string& Y) {
+      return mode_of(solved_as_found(bearing("l", "right", "4 kN", "3 kN", Y) + bearing("r", "left", "3 kN", "4 kN")),
+                     "l", "fatigue");
+    };
+    CHECK(state("1.6") == "pass");
+    CHECK(state("1.4") == "pass");
+    CHECK(state("6") == "not-judged");
   }
 
   TEST_CASE("a factor of one load is the same in all steps that share it") {

@@ -40,6 +40,34 @@ void compare_load_of_mate(const Step& step, const Project& project, std::vector<
                                    format_quantity(typed_value(*mate, project, "F_r"), "kN", 4))});
 }
 
+/// A given value, or that of the row.
+double value_at(const Step& step, const Project& project, const char* path) {
+  const double typed = typed_value(step, project, path);
+  return std::isnan(typed) ? std::abs(magnitude_at(project, step.name() + "." + path)) : typed;
+}
+
+/// The factor Y of the other bearing, which says itself that this one is its mate: a larger one makes its induced
+/// force F_r/(2 Y) too small.
+void compare_factor_of_mate(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double few_digits = 0.02;
+  const double F_r = typed_value(step, project, "F_r"), of_mate = typed_value(step, project, "mate.F_r");
+  const double Y = typed_value(step, project, "mate.Y");
+  const Step* mate = nullptr;
+  if (std::isnan(Y)) return;
+  for (const auto& other : project.steps) {
+    if (other.get() == &step || other->input().calculator != step.input().calculator) continue;
+    if (!is_alike(typed_value(*other, project, "F_r"), of_mate) ||
+        !is_alike(typed_value(*other, project, "mate.F_r"), F_r))
+      continue;
+    if (!(Y > (1.0 + few_digits) * value_at(*other, project, "Y"))) return;
+    mate = other.get();
+  }
+  if (mate == nullptr) return;
+  found.push_back({"mate.Y", say("mate.Y = {1}, and '{2}', the other bearing of the pair, has {3}: write mate.Y = "
+                                 "\"={2}.Y\", or because.mate.Y = \"...\"",
+                                 format_number(Y, 4), mate->name(), format_number(value_at(*mate, project, "Y"), 4))});
+}
+
 std::string word_at(const Step& step, const char* path) {
   const Leaf leaf = find_leaf(step.input().reading.record, path);
   return leaf ? word_of(leaf) : std::string();
@@ -192,6 +220,7 @@ std::vector<ReducedLoad> values_of_unlinked(const Step& step, const Project& pro
   std::vector<ReducedLoad> found;
   if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return found;
   compare_load_of_mate(step, project, found);
+  compare_factor_of_mate(step, project, found);
   compare_mate(step, project, found);
   compare_loading(step, project, found);
   compare_hoist(step, project, found);

@@ -305,6 +305,22 @@ TEST_SUITE("found expressions") {
     CHECK(lug("values.d^2*values.p").empty());
   }
 
+  TEST_CASE("the arm of a force is half of its diameter, and 16 T/(pi d^3) is a shear stress") {
+    const std::string of_drum = "F = \"2 kN\"\nd = \"80 mm\"\nl = \"80 mm\"\nM = \"90 N*m\"\n";
+    const auto torque = [&](const std::string& T) { return refused(of_drum, axle + "T = \"=" + T + "\"\n"); };
+    for (const char* const T : {"values.F*values.d/4", "0.25*values.F*values.d"})
+      CHECK_MESSAGE(contains(torque(T), "half of the torque"), T);
+    for (const char* const T : {"values.F*values.d/2", "values.F/2*values.d/2", "values.F*values.l/4"})
+      CHECK_MESSAGE(torque(T).empty(), T);
+    const auto stress = [&](const std::string& sigma) {
+      return refused(of_drum, "[c]\ncalculator = \"fatigue.cycle\"\nr = -1\nsigma_max = \"=" + sigma + "\"\n");
+    };
+    CHECK(contains(stress("16*values.M/(pi*values.d^3)"), "shear stress"));
+    CHECK(contains(stress("90 N*m*16/(pi*values.d^3)"), "shear stress"));
+    CHECK(stress("32*values.M/(pi*values.d^3)").empty());
+    CHECK(stress("16/(pi*values.d^3)*(values.M + values.F*values.l)").empty());
+  }
+
   TEST_CASE("an expression gets the same warnings and errors as its number") {
     for (const char* G : {"\"900 GPa\"", "\"=900 GPa\"", "\"=3*values.G\""}) {
       const Solved solved("[values]\nG = \"300 GPa\"\n" + axle + "T = \"20 N*m\"\nl = \"1 m\"\nG = " + G + "\n");

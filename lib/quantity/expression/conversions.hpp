@@ -29,12 +29,21 @@ struct Factors {
   double number = 1.0;                    // literals but pi
   int pi = 0, speeds = 0, diameters = 0;  // powers
   int velocities = 0;                     // linear speeds
+  int moments = 0;                        // torques, bending moments
+  int quarters = 0;                       // written as "/4" or "0.25"
   bool has_frequency = false;             // 2*pi may belong to it
 };
 
 class Product {
  public:
   Product(const Tree& tree, const KindOf& of, const Declared& declared) : tree_(tree), of_(of), declared_(declared) {}
+
+  /// 16 T/(pi d^3): the shear stress of a solid shaft by a torque.
+  [[nodiscard]] bool is_stress_of_torsion(const Node& node) const {
+    Factors f;
+    collect(node, 1, f);
+    return std::abs(f.number) == 16.0 && f.pi == -1 && f.diameters == -3 && f.moments == 1;
+  }
 
   Fault judge(const Node& node) const {
     switch (node.operation) {
@@ -98,6 +107,9 @@ class Product {
     if (f.pi == 0 && f.speeds == 0 && f.velocities == 1 && f.diameters == -1 && number == 1.0 && dimension == per_time)
       return fault(say("a circumferential speed over a diameter is half the angular velocity"),
                    say("write 2*v/d; if d is a distance, give it another name"));
+    if (f.pi == 0 && f.speeds == 0 && f.diameters == 1 && f.quarters == 1 && number == 0.25 && dimension == work)
+      return fault(say("a force times a quarter of its diameter is half of the torque"),
+                   say("write d/2; if d is a distance, give it another name"));
     const bool is_area = (f.diameters == 2 && number == 0.25 && dimension == force) ||
                          (f.diameters == -2 && number == 4.0 && dimension == stress);
     if (f.pi == 0 && is_area) return fault(say("d^2/4 is not the area of a circle"), say("write pi*d^2/4"));
@@ -132,6 +144,7 @@ class Product {
         f.has_frequency = f.has_frequency || of_(node.path) == Meant::frequency;
         if (names_diameter(node.path) && has_dimension(node, length)) f.diameters += power;
         if (has_dimension(node, speed)) f.velocities += power;
+        if (has_dimension(node, work)) f.moments += power;
         return;
       default:
         return;
@@ -142,7 +155,9 @@ class Product {
     const bool is_in_radians = tree_.written(node).find("rad") != std::string::npos;  // "10*pi*1 rad/s"
     if (node.kind == Meant::angular_speed && !is_in_radians) f.speeds += power;
     f.has_frequency = f.has_frequency || node.kind == Meant::frequency;
+    if (node.dimension == work) f.moments += power;
     if (!node.dimension.is_number()) return;
+    f.quarters += (node.si == 4.0 && power == -1) || (node.si == 0.25 && power == 1) ? 1 : 0;
     if (node.si == std::numbers::pi)
       f.pi += power;
     else

@@ -142,17 +142,25 @@ class KindWalk {
     return say("write rev*f for a frequency of turns");
   }
 
+  /// Whether a product is the stress 16 T/(pi d^3) of a shaft.
+  [[nodiscard]] bool is_of_torsion(const Node& node) const {
+    return is(node, Dimension::of(-1, 1, -2)) &&
+           expression::conversions::Product(tree_, of_, declared_).is_stress_of_torsion(node);
+  }
+
   Meant product(const Node& node) {
     const Meant a = of_node(node.kids[0]), b = of_node(node.kids[1]);
     if ((a == Meant::torque && b == Meant::frequency) || (a == Meant::frequency && b == Meant::torque))
       refuse(node, say("torque times frequency is not power; use rev*f (2 pi rad per revolution)"),
              say("write rev*f for f"));
+    if (is_of_torsion(node)) return Meant::shear_stress;
     if (is_number(node.kids[0])) return multiple(b, node.kids[0]);
     return is_number(node.kids[1]) ? multiple(a, node.kids[1]) : Meant::nothing;
   }
 
   Meant quotient(const Node& node) {
     const Meant a = of_node(node.kids[0]), b = of_node(node.kids[1]);
+    if (is_of_torsion(node)) return Meant::shear_stress;
     if (is_number(node.kids[1])) return multiple(a, node.kids[1], -1);
     const bool of_turns = holds_pi(node.kids[1]);
     if (is(node.kids[0], of_speed) && is(node.kids[1], Dimension::of(1, 0, 0)))

@@ -236,6 +236,20 @@ void OwnReader::check_moduli(const RowRead& read, std::vector<std::string>& used
   check_modulus(read, "E", is_steel ? least_E_of_steel : 0.0, most_E, used);
   check_modulus(read, "G", is_steel ? least_G_of_steel : 0.0, most_G, used);
   if (!std::isnan(E)) check_modulus(read, "G", E / 3.0, E / 2.0, used);
+  check_density(read, E, used);
+}
+
+/// No metal is that light for its modulus; steel, aluminium and titanium have E/rho of 2.5e7 to 2.7e7 m^2/s^2.
+void OwnReader::check_density(const RowRead& read, double E, std::vector<std::string>& used) {
+  constexpr double most = 4e7;  // m^2/s^2
+  const double rho = searched_value(read.row, "rho");
+  if (!(E > most * rho) || std::find(used.begin(), used.end(), "rho") != used.end()) return;
+  used.emplace_back("rho");
+  if (read.row.because.contains("rho")) return;
+  complain(read.place, read.key + ".rho",
+           say("rho = {1} of '{2}' is too low for a metal of E = {3}", format_quantity(rho, "kg/m^3", 4), read.row.name,
+               format_quantity(E, "GPa", 4)),
+           say("check the unit, or justify it: because.rho = \"data sheet of the manufacturer\""));
 }
 
 void OwnReader::check_modulus(const RowRead& read, const char* key, double low, double high,

@@ -75,6 +75,9 @@ TEST_SUITE("found properties") {
     CHECK(first_error_of(rod_of("E = \"210 GPa\"\nG = \"150 GPa\"\n")).find("G = 150 GPa") != std::string::npos);
     CHECK(first_error_of(rod_of("E = \"210 GPa\"\nG = \"81 GPa\"\n")).empty());
     CHECK(first_error_of(rod_of("E = \"232 GPa\"\nbecause.E = \"measured\"\n")).empty());
+    CHECK(first_error_of(rod_of("E = \"210 GPa\"\nrho = \"785 kg/m^3\"\n")).find("rho = 785 kg/m") !=
+          std::string::npos);
+    CHECK(first_error_of(rod_of("E = \"210 GPa\"\nrho = \"7700 kg/m^3\"\n")).empty());
   }
 
   TEST_CASE("another treatment of a built-in steel is not three times as strong") {

@@ -121,7 +121,10 @@ TEST_SUITE("found places on shafts") {
     const std::string hollow =
         R"([{ l = "150 mm", d = "30 mm", d_bore = "10 mm" }, { l = "150 mm", d = "60 mm", d_bore = "10 mm" }])";
     refuses_shaft(stepped_shaft("kind = \"given\", K_t = 1, K_ts = 1, r = \"2 mm\"", hollow), "K_t = 1 at 150 mm");
-    CHECK(Solved(stepped_shaft("kind = \"given\", K_t = 1.6, K_ts = 1.4, r = \"2 mm\"", hollow)).errors().empty());
+    // A bore of a third leaves 1 - 1/81 of the nominal stress of a solid shaft; its chart has K_t = 1.9 or so.
+    refuses_shaft(stepped_shaft("kind = \"given\", K_t = 1.5, K_ts = 1.5, r = \"2 mm\"", hollow),
+                  "K_t = 1.5 at 150 mm");
+    CHECK(Solved(stepped_shaft("kind = \"given\", K_t = 2, K_ts = 1.6, r = \"2 mm\"", hollow)).errors().empty());
     // where nothing changes a typed factor is the user's word
     CHECK(Solved(stepped_shaft("kind = \"given\", K_t = 1, K_ts = 1", R"([{ l = "300 mm", d = "30 mm" }])"))
               .errors()

@@ -109,8 +109,14 @@ double in_fatigue(const Input& in, double K, Length r, fatigue::Endurance::Loadi
   return Endurance::evaluate(e, quiet).K_f;
 }
 
+/// The least factor of a hollow shaft: a bore takes no stress off the fillet around it, but raises the nominal stress.
+double of_hollow(double solid, const Around& there) {
+  const double q = max(there.sides.left.d_bore, there.sides.right.d_bore) / there.sides.thinner().d;
+  return std::min(solid, std::max(1.0 + 1e-9, (1.0 - q * q * q * q) * solid));
+}
+
 /// Fault of typed factors at a change of the outer diameter: no step has less than its fillet makes. Charts and tests
-/// differ by a tenth or so; hollow shafts have no chart here, but do have a step.
+/// differ by a tenth or so.
 Message fault_of_typed_step(const Input& in, const Notched& notch, const Around& there) {
   const Length d = there.sides.thinner().d, D = there.sides.larger(), r = notch.r;
   if (d == D) return {};
@@ -122,14 +128,13 @@ Message fault_of_typed_step(const Input& in, const Notched& notch, const Around&
   double bending = least_concentration(fatigue::shoulder_in_bending, h, r, D);
   double torsion = least_concentration(fatigue::shoulder_in_torsion, h, r, D);
   const bool tested = notch.kind == Notch::beta;
-  if (is_bored(in, notch.x)) {
-    bending = min(bending, 1.0 + 1e-9), torsion = min(torsion, 1.0 + 1e-9);
-  } else if (tested) {
+  if (tested) {
     bending = scatter_of_tests * in_fatigue(in, bending, r, fatigue::Endurance::Loading::bending);
     torsion = scatter_of_tests * in_fatigue(in, torsion, r, fatigue::Endurance::Loading::torsion);
   } else {
     bending *= scatter_of_charts, torsion *= scatter_of_charts;
   }
+  if (is_bored(in, notch.x)) bending = of_hollow(bending, there), torsion = of_hollow(torsion, there);
   const double own = tested ? notch.beta_b : notch.K_t, own_t = tested ? notch.beta_t : notch.K_ts;
   const auto too_low = [&](const char* key, double value, double least) {
     return say("{1} = {2} at {3}, where a fillet of {4} from {5} to {6} makes {7} at least", key,

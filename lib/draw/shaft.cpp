@@ -3,6 +3,9 @@
 #include "lib/draw/diagrams.hpp"
 #include "lib/draw/scheme/parts.hpp"
 #include "lib/draw/shaft_parts.hpp"
+#include "lib/draw/side/description.hpp"
+#include "lib/draw/side/end_view.hpp"
+#include "lib/draw/side/outlines.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/text/issue.hpp"
 
@@ -14,14 +17,6 @@ namespace {
 
 using namespace shaft;
 
-/// "T_1 = 900 N·m" of a symbol, "pulley: 900 N·m" of a component.
-std::string labelled(const std::string& label, const std::string& value) {
-  constexpr std::size_t longest_symbol = 2;
-  if (label.empty()) return value;
-  const bool is_symbol = std::min(label.find('_'), label.size()) <= longest_symbol;
-  return say(is_symbol ? "{1} = {2}" : "{1}: {2}", symbol(label), value).text();
-}
-
 class ShaftPicture {
  public:
   explicit ShaftPicture(const figure::Shaft& shaft);
@@ -29,6 +24,7 @@ class ShaftPicture {
 
  private:
   void place_cylinders();
+  void place_outlines();
   void place_torques(const figure::Shaft& shaft);
   void place_labels_above(Rows& rows);
   void place_bearings(const figure::Shaft& shaft);
@@ -37,6 +33,7 @@ class ShaftPicture {
   void draw_diameter(const Cylinder& c);
   void draw_raised(const RaisedSign& sign);
   void draw_torque(const TorqueSign& sign);
+  void draw_leader(const TorqueSign& sign);
   void draw_bearing(const BearingSign& sign);
   void draw_lengths();
   void draw_length(double left, double right, double y);
@@ -46,9 +43,10 @@ class ShaftPicture {
   [[nodiscard]] double radius_at(double x) const;
   /// The base line of a row of labels above the shaft.
   [[nodiscard]] double row_above(std::size_t row) const;
+  /// Its name, and its reaction below.
+  [[nodiscard]] double lines_of_bearing() const;
   /// The extent of the symbols below the thickest part.
   [[nodiscard]] double reach_below() const;
-  [[nodiscard]] std::string description() const;
 
   const figure::Shaft& shaft_;
   std::vector<Cylinder> cylinders_;
@@ -57,7 +55,11 @@ class ShaftPicture {
   std::vector<BearingSign> bearings_;
   double length_ = 0.0, thickest_ = 0.0;  // m
   double left_ = shaft_left, right_ = shaft_right, scale_ = 1.0, radial_scale_ = 1.0;
+  double words_right_ = view_width;  // right edge of its labels
   double radius_ = 0.0, axis_ = 0.0, height_ = 60.0;
+  double reach_ = 0.0;         // radius of the largest outline
+  double bearing_rows_ = 0.0;  // rows of their labels
+  Outlines outlines_;
   Canvas canvas_;
 };
 
@@ -71,12 +73,15 @@ ShaftPicture::ShaftPicture(const figure::Shaft& shaft) : shaft_(shaft) {
     thickest_ = std::max({thickest_, part.diameter, part.right_diameter()});
   }
   if (cylinders_.empty()) return;
+  if (has_end_view(shaft)) words_right_ = end_view_left;
   place_cylinders();
+  place_outlines();
   Rows rows;
   place_torques(shaft);
   place_labels_above(rows);
   const double signs = torques_.empty() ? 10.0 : torque_reach + 2.0 * torque_radius + 2.0;
-  axis_ = rows.height() + signs + 2.0 + radius_;
+  axis_ = rows.height() + signs + 2.0 + reach_;
+  if (has_end_view(shaft)) axis_ = std::max(axis_, end_view_reach + row_height);
   place_bearings(shaft);
 }
 
@@ -86,7 +91,10 @@ void ShaftPicture::place_cylinders() {
   if (!shaft_.diagrams.empty()) left_ = diagrams_left, right_ = diagrams_right;
   const double longest = right_ - left_;
   scale_ = longest / length_;
-  if (shaft_.diagrams.empty()) scale_ = std::min(scale_, std::max(most_depth / thickest_, least_length / length_));
+  if (shaft_.diagrams.empty()) {
+    const double most = std::min(most_depth / thickest_, most_outline / std::max(thickest_, largest_bearing(shaft_)));
+    scale_ = std::min(scale_, std::max(most, least_length / length_));
+  }
   radius_ = 0.5 * std::clamp(scale_ * thickest_, least_depth, most_depth);
   radial_scale_ = 2.0 * radius_ / thickest_;
   for (Cylinder& c : cylinders_) {
@@ -97,13 +105,25 @@ void ShaftPicture::place_cylinders() {
   }
 }
 
+/// Above diagrams it is as low as can be.
+void ShaftPicture::place_outlines() {
+  reach_ = radius_;
+  if (!shaft_.diagrams.empty()) return;
+  const auto place = [&](const figure::Shaft::Outline& outline, bool is_bearing) {
+    const double width = scale_ * outline.width, x = at(std::clamp(outline.x, 0.0, length_));
+    if (!drawable(width) || !drawable(outline.diameter) || !(outline.width > 0.0)) return;
+    const double left = x - 0.5 * width, right = x + 0.5 * width;
+    outlines_.add({left, right, radius_at(left), radius_at(right), 0.5 * radial_scale_ * outline.diameter, is_bearing});
+  };
+  for (const auto& torque : shaft_.torques) place(torque.outline, false);
+  for (const auto& bearing : shaft_.bearings) place(bearing.outline, true);
+  reach_ = std::max(reach_, outlines_.reach());
+}
+
 void ShaftPicture::place_torques(const figure::Shaft& shaft) {
   for (const auto& torque : shaft.torques) {
-    if (!drawable(torque.x) || !drawable(torque.value) || torque.value == 0.0) continue;
-    const std::string value = with_minus(format_quantity(torque.value, "N*m", 4));
-    std::string words = labelled(torque.label, value);
-    if (acts(torque.force)) words = say("{1}, {2}", words, format_quantity(torque.force, "N", 4)).text();
-    const Text text = typeset(words);
+    if (!drawable(torque.x) || !drawable(torque.value) || (torque.value == 0.0 && !acts(torque.force))) continue;
+    const Text text = typeset(labelled(torque.label, load_words(torque)));
     const double half = 0.5 * width(text, text_size);
     const double x = at(std::clamp(torque.x, 0.0, length_));
     torques_.push_back({&torque, text, x, half, 0});
@@ -120,35 +140,45 @@ void ShaftPicture::place_labels_above(Rows& rows) {
     const double half = 0.5 * width(text, text_size), middle = 0.5 * (c.left + c.right);
     double x = middle;
     for (const TorqueSign& sign : torques_) {
-      if (std::fabs(x - sign.x) < off_sign) x = sign.x + (x < sign.x ? -off_sign : off_sign);
+      if (sign.torque->value != 0.0 && std::fabs(x - sign.x) < off_sign)
+        x = sign.x + (x < sign.x ? -off_sign : off_sign);
     }
-    const double centre = std::clamp(x, half + 4.0, view_width - half - 4.0);
+    const double centre = std::clamp(x, half + 4.0, words_right_ - half - 4.0);
     raised_.push_back({&c, text, centre, rows.row_of(centre - half - 5.0, centre + half + 5.0)});
   }
   for (TorqueSign& sign : torques_) {
-    const double centre = std::clamp(sign.x, sign.half_width + 4.0, view_width - sign.half_width - 4.0);
+    const double centre = std::clamp(sign.x, sign.half_width + 4.0, words_right_ - sign.half_width - 4.0);
     sign.row = rows.row_of(centre - sign.half_width - 5.0, centre + sign.half_width + 5.0);
   }
 }
 
 double ShaftPicture::row_above(std::size_t row) const {
   const double signs = torques_.empty() ? 8.0 : torque_reach + 2.0 * torque_radius;
-  return axis_ - radius_ - signs - row_height * static_cast<double>(row);
+  return axis_ - reach_ - signs - row_height * static_cast<double>(row);
 }
 
 void ShaftPicture::place_bearings(const figure::Shaft& shaft) {
+  Rows rows;
   for (const auto& bearing : shaft.bearings) {
-    if (drawable(bearing.x))
-      bearings_.push_back({&bearing, typeset(bearing.label), at(std::clamp(bearing.x, 0.0, length_))});
+    if (!drawable(bearing.x)) continue;
+    BearingSign sign{&bearing, typeset(bearing_words(bearing)), {}, at(std::clamp(bearing.x, 0.0, length_)), 0.0, 0};
+    if (acts(bearing.force)) sign.reaction = typeset(reaction_words(bearing));
+    const double half = 0.5 * std::max(width(sign.text, text_size), width(sign.reaction, text_size));
+    sign.middle = std::clamp(sign.x, half + 4.0, words_right_ - half - 4.0);
+    sign.row = rows.row_of(sign.middle - half - 5.0, sign.middle + half + 5.0);
+    bearings_.push_back(std::move(sign));
   }
+  bearing_rows_ = rows.height() / row_height;
+}
+
+double ShaftPicture::lines_of_bearing() const {
+  const auto is_loaded = [](const BearingSign& sign) { return !sign.reaction.empty(); };
+  return std::any_of(bearings_.begin(), bearings_.end(), is_loaded) ? 2.0 : 1.0;
 }
 
 double ShaftPicture::reach_below() const {
   const double torques = torques_.empty() ? 0.0 : torque_reach + torque_radius;
-  const bool has_force = std::any_of(bearings_.begin(), bearings_.end(),
-                                     [](const BearingSign& sign) { return acts(sign.bearing->force); });
-  const double rows = has_force ? 2.0 : 1.0;
-  return std::max(torques, bearings_.empty() ? 0.0 : support_depth + rows * row_height);
+  return std::max(torques, bearings_.empty() ? 0.0 : support_depth + lines_of_bearing() * bearing_rows_ * row_height);
 }
 
 double ShaftPicture::radius_at(double x) const {
@@ -216,13 +246,14 @@ void ShaftPicture::draw_diameter(const Cylinder& c) {
 void ShaftPicture::draw_raised(const RaisedSign& sign) {
   const Cylinder& c = *sign.cylinder;
   const double middle = 0.5 * (c.left + c.right), y = row_above(sign.row);
-  canvas_.polyline("thin", {{middle, axis_ - c.radius_at(middle)}, {sign.x, axis_ - radius_ - 4.0}, {sign.x, y + 4.0}});
+  canvas_.polyline("thin", {{middle, axis_ - c.radius_at(middle)}, {sign.x, axis_ - reach_ - 4.0}, {sign.x, y + 4.0}});
   canvas_.text("halo", {sign.x, y}, sign.text, Anchor::middle);
 }
 
 /// The couple as the two forces that turn the shaft: out of the page (dot) and into it (cross).
 void ShaftPicture::draw_torque(const TorqueSign& sign) {
-  const double surface = radius_at(sign.x), level = radius_ + torque_reach;
+  if (sign.torque->value == 0.0) return draw_leader(sign);
+  const double surface = std::max(radius_at(sign.x), outlines_.radius_at(sign.x)), level = reach_ + torque_reach;
   const double dot_side = sign.torque->value > 0.0 ? -1.0 : 1.0;
   for (const double side : {-1.0, 1.0}) {
     const Point centre{sign.x, axis_ + side * level};
@@ -236,33 +267,41 @@ void ShaftPicture::draw_torque(const TorqueSign& sign) {
       canvas_.strokes("outline c1", {{centre - down, centre + down}, {centre - up, centre + up}});
     }
   }
-  const double middle = std::clamp(sign.x, sign.half_width + 4.0, view_width - sign.half_width - 4.0);
+  const double middle = std::clamp(sign.x, sign.half_width + 4.0, words_right_ - sign.half_width - 4.0);
   canvas_.text("halo f1", {middle, row_above(sign.row)}, sign.text, Anchor::middle);
+}
+
+/// From a component without torque to its label.
+void ShaftPicture::draw_leader(const TorqueSign& sign) {
+  const double middle = std::clamp(sign.x, sign.half_width + 4.0, words_right_ - sign.half_width - 4.0);
+  const double surface = std::max(radius_at(sign.x), outlines_.radius_at(sign.x)), y = row_above(sign.row);
+  canvas_.line("thin c1", {sign.x, axis_ - surface}, {sign.x, y + 4.0});
+  canvas_.text("halo f1", {middle, y}, sign.text, Anchor::middle);
 }
 
 /// A triangle on hatched ground; above a line on which it slides, if axial displacement is free.
 void ShaftPicture::draw_bearing(const BearingSign& sign) {
   constexpr double depth = 15.0, half = 8.5, slide = 3.0;
   const Point foot{sign.x, axis_ + radius_at(sign.x)};
-  if (sign.bearing->fixed) {
+  if (is_outlined(*sign.bearing)) {
+    canvas_.line("light", {sign.x, axis_ + outlines_.radius_at(sign.x)}, {sign.x, axis_ + reach_ + support_depth});
+  } else if (sign.bearing->fixed) {
     support(canvas_, foot, {0.0, 1.0});
   } else {
     const Point left{foot.x - half, foot.y + depth}, right{foot.x + half, foot.y + depth}, down{0.0, slide};
     canvas_.polygon("pin", {foot, right, left});
     canvas_.line("outline", left + down, right + down);
   }
-  const double half_text = 0.5 * width(sign.text, text_size);
-  const double middle = std::clamp(sign.x, half_text + 4.0, view_width - half_text - 4.0);
-  const double line = axis_ + radius_ + support_depth + row_height - 4.0;
-  canvas_.text("halo", {middle, line}, sign.text, Anchor::middle);
-  if (acts(sign.bearing->force))
-    canvas_.text("halo f0", {middle, line + row_height}, typeset(format_quantity(sign.bearing->force, "N", 4)),
-                 Anchor::middle);
+  const double row = lines_of_bearing() * static_cast<double>(sign.row);
+  const double line = axis_ + reach_ + support_depth + (row + 1.0) * row_height - 4.0;
+  canvas_.text("halo", {sign.middle, line}, sign.text, Anchor::middle);
+  if (!sign.reaction.empty()) canvas_.text("halo f0", {sign.middle, line + row_height}, sign.reaction, Anchor::middle);
 }
 
 void ShaftPicture::draw_place(const figure::Shaft::Place& place) {
   constexpr double beyond = 5.0;
-  const double x = at(std::clamp(place.x, 0.0, length_)), reach = radius_at(x) + beyond;
+  const double x = at(std::clamp(place.x, 0.0, length_));
+  const double reach = std::max(radius_at(x), outlines_.radius_at(x)) + beyond;
   canvas_.line("light dash c1", {x, axis_ - reach}, {x, axis_ + reach});
 }
 
@@ -281,7 +320,7 @@ void ShaftPicture::draw_length(double left, double right, double y) {
 
 void ShaftPicture::draw_lengths() {
   const double reach = reach_below();
-  const double first = axis_ + radius_ + (reach > 0.0 ? reach + 26.0 : 28.0);
+  const double first = axis_ + reach_ + (reach > 0.0 ? reach + 26.0 : 28.0);
   Rows below;
   for (const Cylinder& c : cylinders_) {
     const Text text = typeset(millimetres(c.part->length));
@@ -300,7 +339,7 @@ void ShaftPicture::draw_lengths() {
     canvas_.text("", {0.5 * (from + to), last - 5.0}, typeset(millimetres(length_)), Anchor::middle);
   }
   for (const Cylinder& c : cylinders_) {
-    const double start = axis_ + (reach > 0.0 ? radius_ + reach : c.largest()) + 3.0;
+    const double start = axis_ + (reach > 0.0 ? reach_ + reach : c.largest()) + 3.0;
     canvas_.line("light", {c.right, start}, {c.right, &c == &cylinders_.back() ? last + 4.0 : first + 4.0});
     if (&c == &cylinders_.front()) canvas_.line("light", {c.left, start}, {c.left, last + 4.0});
   }
@@ -310,31 +349,8 @@ void ShaftPicture::draw_lengths() {
 void ShaftPicture::draw_note() {
   const bool true_to_scale = std::fabs(radial_scale_ - scale_) < 1e-6 * scale_;
   const auto note = true_to_scale ? say("in mm") : say("in mm; diameters not to the scale of the lengths");
-  canvas_.text("quiet", {view_width - 6.0, height_ + 8.0}, typeset(note.text()), Anchor::end);
+  canvas_.text("quiet", {words_right_ - 6.0, height_ + 8.0}, typeset(note.text()), Anchor::end);
   height_ += 16.0;
-}
-
-std::string ShaftPicture::description() const {
-  std::string text;
-  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
-  for (const Cylinder& c : cylinders_) {
-    const std::string length = format_quantity(c.part->length, "mm", 5), d = diameters(*c.part);
-    add(c.bore > 0.0
-            ? say("length {1}, diameter {2}, bore {3}", length, d, format_quantity(c.part->bore, "mm", 5)).text()
-            : say("length {1}, diameter {2}", length, d).text());
-  }
-  for (const TorqueSign& sign : torques_) {
-    add(say("torque {1} = {2} at {3}", plain(sign.torque->label), format_quantity(sign.torque->value, "N*m", 4),
-            format_quantity(sign.torque->x, "mm", 5))
-            .text());
-  }
-  for (const BearingSign& sign : bearings_) {
-    const Message place =
-        say("bearing {1} at {2}", plain(sign.bearing->label), format_quantity(sign.bearing->x, "mm", 5));
-    const double force = sign.bearing->force;
-    add(acts(force) ? say("{1}: {2}", place, format_quantity(force, "N", 4)).text() : place.text());
-  }
-  return text;
 }
 
 Picture ShaftPicture::drawn() {
@@ -342,6 +358,7 @@ Picture ShaftPicture::drawn() {
     canvas_.centred_text("quiet", {0.0, 0.0, view_width, height_}, typeset(say("not available").text()));
     return {std::move(canvas_), height_, say("not available").text()};
   }
+  outlines_.draw(axis_, canvas_);
   draw_cylinders();
   draw_bores();
   for (const Cylinder& c : cylinders_) draw_diameter(c);
@@ -350,11 +367,16 @@ Picture ShaftPicture::drawn() {
   for (const BearingSign& sign : bearings_) draw_bearing(sign);
   draw_lengths();
   draw_note();
-  if (shaft_.diagrams.empty()) return {std::move(canvas_), height_, description()};
+  if (has_end_view(shaft_)) {
+    canvas_.append(end_view(shaft_, axis_));
+    height_ = std::max(height_, axis_ + end_view_reach + row_height);
+    return {std::move(canvas_), height_, description(cylinders_, torques_, bearings_), end_view_right};
+  }
+  if (shaft_.diagrams.empty()) return {std::move(canvas_), height_, description(cylinders_, torques_, bearings_)};
   for (const figure::Shaft::Place& place : shaft_.places) draw_place(place);
   const Picture below = diagrams(shaft_, {at(0.0), at(length_)}, length_, height_ + 8.0);
   canvas_.append(below.canvas);
-  return {std::move(canvas_), below.height, description() + below.description};
+  return {std::move(canvas_), below.height, description(cylinders_, torques_, bearings_) + below.description};
 }
 
 }  // namespace

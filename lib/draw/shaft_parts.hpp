@@ -17,6 +17,7 @@ namespace loadpath::draw::shaft {
 inline constexpr double shaft_left = 30.0, shaft_right = 450.0, least_length = 180.0;
 inline constexpr double diagrams_left = 62.0, diagrams_right = 466.0;  // room for the numbers of their scales
 inline constexpr double least_depth = 48.0, most_depth = 170.0;        // thickness of the thickest part
+inline constexpr double most_outline = 190.0;                          // diameter of the largest drawn bearing
 inline constexpr double torque_reach = 16.0;                           // overhang of torque lines
 inline constexpr double torque_radius = 6.5;
 inline constexpr double support_depth = 22.0;  // depth of a bearing symbol with its ground
@@ -42,6 +43,14 @@ struct Cylinder {
   [[nodiscard]] double largest() const { return std::max(radius, right_radius); }
 };
 
+/// "T_1 = 900 N·m" of a symbol, "pulley: 900 N·m" of a component.
+inline std::string labelled(const std::string& label, const std::string& value) {
+  constexpr std::size_t longest_symbol = 2;
+  if (label.empty()) return value;
+  const bool is_symbol = std::min(label.find('_'), label.size()) <= longest_symbol;
+  return say(is_symbol ? "{1} = {2}" : "{1}: {2}", symbol(label), value).text();
+}
+
 inline bool acts(double force) { return drawable(force) && force > 1e-6; }
 
 struct TorqueSign {
@@ -61,8 +70,9 @@ struct RaisedSign {
 
 struct BearingSign {
   const figure::Shaft::Bearing* bearing;
-  Text text;
-  double x;
+  Text text, reaction;
+  double x, middle;  // of the bearing and of its label
+  std::size_t row;
 };
 
 /// "Ø40", marked where it was found.

@@ -269,17 +269,30 @@ struct Shaft {
     bool is_sized = false;  // found by a search: its diameter is marked
     [[nodiscard]] double right_diameter() const { return right > 0.0 ? right : diameter; }
   };
+  /// What is mounted, from the side: a hub or a bearing.
+  struct Outline {
+    double x = 0.0;         // m, its middle
+    double width = 0.0;     // 0: not known, and not drawn
+    double diameter = 0.0;  // 0: not known
+  };
   struct Torque {
     double x = 0.0;
-    double value = 0.0;  // N m, signed
+    double value = 0.0;  // N m, signed; 0: a component that only bends the shaft
     std::string label;
-    double force = 0.0;  // N, across the shaft; 0: none
+    double force = 0.0;    // N, across the shaft; 0: none
+    Point across = {};     // its components, N, seen from the right end
+    double axial = 0.0;    // N, to the right
+    Outline outline = {};  // the component
   };
   struct Bearing {
     double x = 0.0;
     bool fixed = false;  // it holds the shaft along its axis too
     std::string label;
     double force = 0.0;  // N, its radial reaction; 0: not known
+    Point across = {};   // its components, N, as they act on the shaft
+    double axial = 0.0;  // N, reaction on the shaft, to the right
+    Outline outline = {};
+    std::string type = {};  // "6308"
   };
   struct Place {  // a named section: the governing one
     double x = 0.0;

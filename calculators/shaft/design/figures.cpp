@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,26 +61,55 @@ double force_y(const Loaded& l, std::size_t s, bool right) {
 double torque(const Loaded& l, std::size_t s, bool) { return l.T[s]; }
 double thrust(const Loaded& l, std::size_t s, bool) { return l.N[s]; }
 
-double force_of(const Design::Input& in, const Seat& seat, std::size_t position) {
-  return in.K_A * std::hypot(in_si(seat.F_x.at(position)), in_si(seat.F_y.at(position)));
+using figure::Point;
+
+/// In the planes X and Y of the shaft.
+Point force_across(const Design::Input& in, const Seat& seat, std::size_t position) {
+  const double towards = in.K_A * in_si(seat.F_x.at(position)), turned = in.K_A * in_si(seat.F_y.at(position));
+  const double c = std::cos(seat.angle), s = std::sin(seat.angle);
+  return {c * towards - s * turned, s * towards + c * turned};
+}
+
+/// As wide as its hub; up to the tips of its teeth, the bottom of its grooves or the surface of its hub.
+figure::Shaft::Outline outline_of(const Seat& seat) {
+  const auto first_of = [](std::initializer_list<Length> all) {
+    for (const Length& one : all) {
+      if (is_set(one) && one > 0.0 * mm) return in_si(one);
+    }
+    return 0.0;
+  };
+  const Length to_tips = is_set(seat.d_f) && is_set(seat.h_t) ? seat.d_f + 2.0 * seat.h_t : unset<Length>;
+  return {in_si(seat.x), first_of({seat.b, seat.b_r, seat.l_c}), first_of({to_tips, seat.d_w, seat.d_f, seat.D_c})};
 }
 
 /// Torques and forces with K_A, as in the diagrams.
 figure::Shaft side(const Design::Input& in, const Loaded& loaded, std::size_t position) {
   figure::Shaft shaft;
+  double held = 0.0;  // the axial reaction
   for (const Piece& piece : in.pieces)
     shaft.parts.push_back({in_si(piece.l), in_si(piece.d), in_si(piece.d_bore), in_si(right_diameter(piece))});
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
     const Seat& seat = in.seats[i];
     const double T = in_si(in.K_A * torque_of(in, i, position));
-    if (T != 0.0)
-      shaft.torques.push_back({in_si(seat.x), T, std::string(seat.name.view()), force_of(in, seat, position)});
+    const Point across = force_across(in, seat, position);
+    const double axial = in.K_A * in_si(seat.F_z.at(position)), force = std::hypot(across.x, across.y);
+    held -= axial;
+    if (T != 0.0 || force > 0.0)
+      shaft.torques.push_back(
+          {in_si(seat.x), T, std::string(seat.name.view()), force, across, axial, outline_of(seat)});
   }
   for (std::size_t i = 0; i < in.supports.size(); ++i) {
     const Support& support = in.supports[i];
     const std::string name = support.name.empty() ? std::to_string(i + 1) : std::string(support.name.view());
-    const double reaction = std::hypot(loaded.x.reactions[i], loaded.y.reactions[i]);
-    shaft.bearings.push_back({in_si(pressure_centre(support)), support.holds == Holds::both, name, reaction});
+    const Point reaction{loaded.x.reactions[i], loaded.y.reactions[i]};
+    const bool is_locating = support.holds == Holds::both;
+    shaft.bearings.push_back({in_si(pressure_centre(support)),
+                              is_locating,
+                              name,
+                              std::hypot(reaction.x, reaction.y),
+                              reaction,
+                              is_locating ? held : 0.0,
+                              {in_si(support.x)}});
   }
   return shaft;
 }

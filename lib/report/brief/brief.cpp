@@ -104,8 +104,7 @@ void Pages::name_step(const StepFigure& figure, figure::Figure& shown) const {
 }
 
 void Pages::add_figure(const StepFigure& figure, bool whole, Panel& panel) {
-  figure::Figure shown = marked(figure);
-  if (!whole) shown = in_brief(shown);
+  figure::Figure shown = whole ? marked(figure) : in_brief(outlined(project_, marked(figure), *figure.step));
   name_step(figure, shown);
   panel.blocks.emplace_back(std::move(shown));
   if (whole || is_brief(*figure.figure)) shown_.insert(figure.figure);

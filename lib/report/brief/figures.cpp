@@ -63,6 +63,37 @@ std::vector<bool> found_diameters(const Step& step) {
   return found;
 }
 
+const account::Entry* input_of(const Step& step, std::string_view path) {
+  const auto& inputs = step.account().inputs;
+  const auto found = std::ranges::find(inputs, path, &account::Entry::path);
+  return found == inputs.end() || found->value.si.empty() ? nullptr : &*found;
+}
+
+/// "left" of "= shaft.bearings.left.x", "2" of "= shaft.bearings[2].x": the bearing of the shaft that a step assesses.
+std::string assessed_bearing(const Step& step, const std::string& shaft) {
+  const account::Entry* const x = input_of(step, "x");
+  if (x == nullptr) return {};
+  const std::string text = x->origin.text.text(), list = "= " + shaft + ".bearings";
+  if (!text.starts_with(list) || text.size() == list.size()) return {};
+  const std::size_t begin = list.size() + 1;
+  return text.substr(begin, text.find_first_of("].", begin) - begin);
+}
+
+/// The rows of the bearings, which follow from the loads of the shaft, have their widths and outer diameters.
+void outline_bearings(const Project& project, const Step& of, figure::Shaft& shaft) {
+  for (const auto& step : project.steps) {
+    if (!std::string_view(step->input().calculator->id).starts_with("bearing.")) continue;
+    const std::string name = assessed_bearing(*step, of.input().name);
+    const auto bearing = std::ranges::find(shaft.bearings, name, &figure::Shaft::Bearing::label);
+    const account::Entry* const B = input_of(*step, "B");
+    const account::Entry* const D = input_of(*step, "D");
+    if (name.empty() || bearing == shaft.bearings.end() || B == nullptr || D == nullptr) continue;
+    bearing->outline.width = B->value.si.front(), bearing->outline.diameter = D->value.si.front();
+    if (const auto row = step->input().rows.find("bearing"); row != step->input().rows.end())
+      bearing->type = row->second.text;
+  }
+}
+
 /// The views in the first row of a drawing.
 std::size_t first_row(const figure::Drawing& drawing) {
   double share = 0.0;
@@ -134,6 +165,11 @@ figure::Figure marked(const StepFigure& of) {
   const std::vector<bool> found = found_diameters(*of.step);
   if (found.size() != shaft->parts.size()) return figure;  // its parts are none of a list
   for (std::size_t i = 0; i < found.size(); ++i) shaft->parts[i].is_sized = found[i];
+  return figure;
+}
+
+figure::Figure outlined(const Project& project, figure::Figure figure, const Step& step) {
+  if (auto* const shaft = std::get_if<figure::Shaft>(&figure.content)) outline_bearings(project, step, *shaft);
   return figure;
 }
 

@@ -27,6 +27,8 @@ std::vector<StepFigure> other_shafts(const project::Project& project, const Summ
 
 /// A figure with marks at the diameters that a search has found.
 figure::Figure marked(const StepFigure& figure);
+/// A shaft with the widths and outer diameters of its bearings, out of the steps that assess them.
+figure::Figure outlined(const project::Project& project, figure::Figure figure, const project::Step& step);
 /// A figure as page 1 shows it: a shaft without its diagrams, of several views those in the first row.
 figure::Figure in_brief(const figure::Figure& figure);
 /// Whether page 1 shows all of it.

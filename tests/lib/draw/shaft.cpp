@@ -85,6 +85,62 @@ TEST_SUITE("draw") {
     CHECK(overlap(loaded) == "");
   }
 
+  TEST_CASE("known bearings are boxes with a cross and a name in place of a support, on the scale of the shaft") {
+    Shaft shaft;
+    shaft.parts = {{0.1, 0.04, 0.0}, {0.1, 0.05, 0.0}};
+    shaft.bearings = {{0.02, true, "left", 3007.0, {2642.0, 0.0}, 1199.0, {0.02, 0.023, 0.09}, "6308"},
+                      {0.18, false, "right"}};
+    const std::string text = drawn(shaft);
+    CHECK(says(text, "left: 6308, locating"));
+    CHECK(says(text, "3007 N, axial 1199 N"));
+    CHECK(count(text, "<rect class=\"pin\"") == 2);
+    CHECK(count(text, "<path class=\"pin\"") == 1);  // the support of the other
+    const auto rectangles = elements(text, "rect");
+    const auto of_class = [&](const char* name) {
+      return *std::find_if(rectangles.begin(), rectangles.end(),
+                           [&](const Element& e) { return attribute(e.tag, "class") == name; });
+    };
+    const double of_shaft = number(of_class("plate outline").tag, "width") / 0.1;
+    CHECK(number(of_class("pin").tag, "width") / 0.023 == doctest::Approx(of_shaft).epsilon(0.01));
+    CHECK(number(of_class("pin").tag, "height") / 0.025 == doctest::Approx(of_shaft).epsilon(0.02));  // (D - d)/2
+    CHECK(overlap(text) == "");
+  }
+
+  TEST_CASE("hubs are drawn up to their diameter, large ones up to a break line") {
+    Shaft shaft;
+    shaft.parts = {{0.2, 0.05, 0.0}};
+    shaft.torques = {{0.05, 100.0, "pinion", 0.0, {}, 0.0, {0.05, 0.04, 0.07}}};
+    CHECK(count(drawn(shaft), "<path class=\"image\"") == 2);
+    const auto corners = [&] {
+      const std::string text = drawn(shaft);
+      const auto all = elements(text, "path");
+      const auto hub =
+          std::find_if(all.begin(), all.end(), [](const Element& e) { return attribute(e.tag, "class") == "image"; });
+      REQUIRE(hub != all.end());
+      return std::string(attribute(hub->tag, "d")).size();
+    };
+    const std::size_t closed = corners();
+    shaft.torques[0].outline.diameter = 0.4;
+    CHECK(corners() > 2 * closed);
+    shaft.torques[0].outline.width = 0.0;
+    CHECK(count(drawn(shaft), "class=\"image\"") == 0);
+  }
+
+  TEST_CASE("forces in two planes are drawn from the right end, in one plane not") {
+    Shaft shaft;
+    shaft.parts = {{0.2, 0.05, 0.0}};
+    shaft.torques = {{0.1, 0.0, "gear", 500.0, {300.0, 400.0}, -50.0}};
+    shaft.bearings = {{0.0, true, "left", 250.0, {-150.0, -200.0}}, {0.2, false, "right", 250.0, {-150.0, -200.0}}};
+    const std::string flat = drawn(shaft);
+    CHECK(says(flat, "gear: 500 N, axial −50 N"));
+    CHECK(!says(flat, "seen from the right end"));
+    shaft.torques.push_back({0.15, 0.0, "pulley", 100.0, {100.0, 0.0}});
+    const std::string text = drawn(shaft);
+    CHECK(says(text, "seen from the right end"));
+    CHECK(has(text, "viewBox=\"0 0 624 "));
+    CHECK(overlap(text) == "");
+  }
+
   TEST_CASE("short segments keep their dimensions apart") {
     Shaft shaft;
     for (int i = 0; i < 12; ++i) shaft.parts.push_back({i % 2 == 0 ? 0.1 : 0.004, i % 2 == 0 ? 0.05 : 0.07, 0.0});

@@ -369,7 +369,7 @@ Picture ShaftPicture::drawn() {
   draw_note();
   if (has_end_view(shaft_)) {
     canvas_.append(end_view(shaft_, axis_));
-    height_ = std::max(height_, axis_ + end_view_reach + row_height);
+    height_ = std::max(height_, axis_ + end_view_reach + 1.5 * row_height);
     return {std::move(canvas_), height_, description(cylinders_, torques_, bearings_), end_view_right};
   }
   if (shaft_.diagrams.empty()) return {std::move(canvas_), height_, description(cylinders_, torques_, bearings_)};

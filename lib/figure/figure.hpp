@@ -303,6 +303,7 @@ struct Shaft {
   std::vector<Bearing> bearings = {};
   std::vector<Plot> diagrams = {};
   std::vector<Place> places = {};
+  bool seen_from_end = false;  // with an end view, if forces act in two planes; it widens the picture
 };
 
 /// Many machines over two scales, see lib/figure/chart.hpp; too large to be copied with each figure.

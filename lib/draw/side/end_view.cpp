@@ -55,7 +55,7 @@ class EndView {
       labels_.keep_off({centre_, tips.back()}, 2.0);
     }
     for (std::size_t i = 0; i < forces_.size(); ++i) draw_force(forces_[i], tips[i]);
-    canvas_.text("quiet", {centre_.x, centre_.y + end_view_reach + 10.0},
+    canvas_.text("quiet", {centre_.x, centre_.y + end_view_reach + 20.0},
                  typeset(say("seen from the right end").text()), Anchor::middle);
     return std::move(canvas_);
   }
@@ -68,7 +68,7 @@ class EndView {
     constexpr double margin = 14.0, reach = 18.0;
     canvas_.circle("plate outline", centre_, of_shaft);
     labels_.keep_off(Box::around(centre_, 2.0 * of_shaft, 2.0 * of_shaft));
-    const Point corner{end_view_left + margin, centre_.y + end_view_reach - margin};
+    const Point corner{end_view_left + margin, centre_.y + end_view_reach - 2.0};
     const Point right = corner + Point{reach, 0.0}, up = corner - Point{0.0, reach};
     canvas_.strokes("light", {{corner, right}, {corner, up}});
     canvas_.text("quiet", right + Point{6.0, 4.0}, typeset("X"), Anchor::middle);
@@ -99,7 +99,7 @@ class EndView {
 
 bool has_end_view(const figure::Shaft& shaft) {
   constexpr double least_sine = 0.02;
-  if (!shaft.diagrams.empty()) return false;
+  if (!shaft.seen_from_end || !shaft.diagrams.empty()) return false;
   const std::vector<Transverse> all = transverse_forces(shaft);
   return std::any_of(all.begin(), all.end(), [&](const Transverse& one) {
     const Point a = all.front().force, b = one.force;

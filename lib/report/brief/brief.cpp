@@ -111,7 +111,7 @@ void Pages::add_figure(const StepFigure& figure, bool whole, Panel& panel) {
 }
 
 Panel Pages::sizes(std::size_t most_lines) const {
-  Panel panel{say("Chosen sizes"), {}, {}};
+  Panel panel{has_sizes(project_) ? say("Chosen sizes") : say("Main results"), {}, {}};
   Table table = sizes_table(project_, summary_, most_lines);
   if (!table.rows.empty()) panel.blocks.emplace_back(std::move(table));
   return panel;
@@ -178,6 +178,7 @@ void Pages::add_main(double room, Page& page) {
   for (const StepFigure& figure : main_) {
     Panel panel;
     add_figure(figure, false, panel);
+    if (main_.size() == 1) see_from_end(std::get<figure::Figure>(panel.blocks.back()));
     name_shaft(figure, panel);
     figures.push_back({figures.empty() ? half : other_half, {std::move(panel)}});
   }

@@ -194,6 +194,10 @@ figure::Figure in_brief(const figure::Figure& figure) {
   return brief;
 }
 
+void see_from_end(figure::Figure& figure) {
+  if (auto* const shaft = std::get_if<figure::Shaft>(&figure.content)) shaft->seen_from_end = true;
+}
+
 bool is_brief(const figure::Figure& figure) {
   if (const auto* const drawn = std::get_if<figure::Drawn>(&figure.content))
     return first_row(**drawn) == (*drawn)->views.size();

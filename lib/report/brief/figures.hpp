@@ -31,6 +31,8 @@ figure::Figure marked(const StepFigure& figure);
 figure::Figure outlined(const project::Project& project, figure::Figure figure, const project::Step& step);
 /// A figure as page 1 shows it: a shaft without its diagrams, of several views those in the first row.
 figure::Figure in_brief(const figure::Figure& figure);
+/// A shaft that has the width of the page gets an end view.
+void see_from_end(figure::Figure& figure);
 /// Whether page 1 shows all of it.
 bool is_brief(const figure::Figure& figure);
 /// Whether it is about as high as wide: a mechanism, or a drawn part other than a shaft.

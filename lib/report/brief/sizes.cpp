@@ -45,10 +45,39 @@ std::vector<std::string> other_sizes(const Project& project, const Component& co
   return all;
 }
 
-/// Whether a step of the component has a size: what is only computed of a stress cycle or a gear rating is none.
+/// Whether it is a length, an area or a moment of inertia among the results, or an input such as a designation.
+bool is_of_length(const project::Step& step, std::string_view key) {
+  const auto& inputs = step.account().inputs;
+  const auto& results = step.account().results;
+  const auto result = std::ranges::find(results, key, &account::Entry::path);
+  if (result == results.end())
+    return step.input().rows.contains(std::string(key)) ||
+           std::ranges::find(inputs, key, &account::Entry::path) != inputs.end();
+  constexpr std::array<std::string_view, 6> units{"mm", "m", "um", "mm^2", "cm^2", "kg*m^2"};
+  return !result->word.empty() || std::ranges::find(units, result->unit) != units.end();
+}
+
+/// Whether the first value of a phrase of its headline, "J = {J}|J = {J_F}", is one.
+bool is_of_lengths(const project::Step& step) {
+  const std::string_view headline = step.input().calculator->headline;
+  if (headline.find('{') == std::string_view::npos) return !headline.empty();
+  for (std::size_t begin = 0; begin < headline.size();) {
+    const std::size_t end = std::min(headline.find('|', begin), headline.size());
+    const std::string_view phrase = headline.substr(begin, end - begin);
+    const std::size_t open = std::min(phrase.find('{'), phrase.size());
+    if (open < phrase.size() &&
+        is_of_length(step, phrase.substr(open + 1, phrase.find_first_of("#!}", open) - open - 1)))
+      return true;
+    begin = end + 1;
+  }
+  return false;
+}
+
+/// Whether a step of the component has a size, or a result that stands for it where no component has a size.
 bool has_size(const Project& project, const Component& component) {
+  const bool has_any = has_sizes(project);
   return component.is_sized || std::ranges::any_of(project.steps, [&](const auto& step) {
-           return component_name(*step) == component.name && describes_size(*step);
+           return component_name(*step) == component.name && (has_any ? is_of_lengths(*step) : describes_size(*step));
          });
 }
 
@@ -122,6 +151,10 @@ std::size_t drop_rows(Table& table, std::size_t most_lines) {
 
 }  // namespace
 
+bool has_sizes(const Project& project) {
+  return std::ranges::any_of(project.steps, [](const auto& step) { return is_sized(*step) || is_of_lengths(*step); });
+}
+
 std::size_t lines_of(const Table& sizes) {
   std::size_t lines = 0;
   for (const auto& row : sizes.rows) lines += lines_of(row);
@@ -133,7 +166,7 @@ std::size_t fewest_lines(const Project& project, const Summary& summary) {
 }
 
 Table sizes_table(const Project& project, const Summary& summary, std::size_t most) {
-  Table table{{}, {say("Component"), say("Size"), say("Material")}, {}};
+  Table table{{}, {say("Component"), has_sizes(project) ? say("Size") : say("Result"), say("Material")}, {}};
   for (const Given given : {Given::all, Given::searchable, Given::not_drawn, Given::none}) {
     table.rows = rows_of(project, summary, given);
     if (lines_of(table) <= most) break;

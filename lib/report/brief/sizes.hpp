@@ -10,6 +10,8 @@ namespace loadpath::report {
 
 /// Sized values first, then the given sizes: a row for each component, in so many lines at most.
 Table sizes_table(const project::Project& project, const Summary& summary, std::size_t most);
+/// Whether a component has a size, and not only results such as a time or a torque.
+bool has_sizes(const project::Project& project);
 /// The lines of that table as it is set.
 std::size_t lines_of(const Table& sizes);
 /// The fewest lines in which every component has its row.

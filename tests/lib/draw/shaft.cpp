@@ -129,6 +129,7 @@ TEST_SUITE("draw") {
   TEST_CASE("forces in two planes are drawn from the right end, in one plane not") {
     Shaft shaft;
     shaft.parts = {{0.2, 0.05, 0.0}};
+    shaft.seen_from_end = true;
     shaft.torques = {{0.1, 0.0, "gear", 500.0, {300.0, 400.0}, -50.0}};
     shaft.bearings = {{0.0, true, "left", 250.0, {-150.0, -200.0}}, {0.2, false, "right", 250.0, {-150.0, -200.0}}};
     const std::string flat = drawn(shaft);
@@ -138,6 +139,8 @@ TEST_SUITE("draw") {
     const std::string text = drawn(shaft);
     CHECK(says(text, "seen from the right end"));
     CHECK(has(text, "viewBox=\"0 0 624 "));
+    shaft.seen_from_end = false;
+    CHECK(has(drawn(shaft), "viewBox=\"0 0 480 "));
     CHECK(overlap(text) == "");
   }
 

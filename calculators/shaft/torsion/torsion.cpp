@@ -157,7 +157,7 @@ void add_distribution(const Torsion::Result& r, std::vector<figure::Figure>& fig
 
 }  // namespace
 
-std::vector<figure::Figure> Torsion::figures(const Input&, const Result& r) {
+std::vector<figure::Figure> Torsion::figures(const Input& in, const Result& r) {
   if (!is_set(r.segments.front().l)) return {};
   figure::Curve moment{"M", {}, {}, true};
   figure::Shaft side;
@@ -167,6 +167,11 @@ std::vector<figure::Figure> Torsion::figures(const Input&, const Result& r) {
       moment.y.push_back(in_si(s.M));
     }
     side.parts.push_back({in_si(s.l), in_si(s.d), in_si(s.d_bore)});
+  }
+  for (const auto& t : in.torques) side.torques.push_back({in_si(t.x), in_si(t.T), std::string(t.name.view())});
+  if (in.fixed != Fixed::none) {
+    const AppliedTorque reaction = torques_of(in).back();
+    side.torques.push_back({in_si(reaction.x), in_si(reaction.T), "reaction"});
   }
   figure::Plot diagram;
   diagram.x = {"x", "position along the shaft", "mm"};

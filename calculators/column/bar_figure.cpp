@@ -166,11 +166,13 @@ std::optional<figure::Figure> bar_figure(const BucklingInput& in, const MemberRe
   for (auto& view : drawing->views) view.share = 0.3;
   Drawing::View& first = drawing->views.front();
   first.note = say("deflections enlarged").text();
+  const char* caption = "The bar as it buckles";
   if (auto section = section_view(in)) {
+    caption = "The bar as it buckles, and its section";
     section->share = 1.0 - 0.3 * static_cast<double>(drawing->views.size());
     drawing->views.push_back(std::move(*section));
   }
-  return figure::Figure{"bar", "The bar as it buckles, and its section", figure::Drawn(std::move(drawing))};
+  return figure::Figure{"bar", caption, figure::Drawn(std::move(drawing))};
 }
 
 }  // namespace loadpath::column

@@ -178,7 +178,7 @@ std::vector<figure::Figure> RunUp::figures(const Input& in, const Result&) {
   const Balance balance(in);
   figure::Plot plot;
   plot.x = {"n", "speed", "rpm"};
-  plot.y = {"M", "moment at the motor's shaft", "N*m"};
+  plot.y = {"M", "torque at the motor shaft", "N*m"};
   figure::Curve motor{"motor", {}, {}}, load{"load", {}, {}};
   for (const double omega : speeds_of(in, balance)) {
     motor.x.push_back(omega);
@@ -187,7 +187,7 @@ std::vector<figure::Figure> RunUp::figures(const Input& in, const Result&) {
     load.y.push_back(balance.load_at(omega));
   }
   plot.curves = {std::move(motor), std::move(load)};
-  return {{"moment-lines", "Moment lines of motor and load", std::move(plot)}};
+  return {{"moment-lines", "Torque curves of motor and load", std::move(plot)}};
 }
 
 }  // namespace loadpath::machine

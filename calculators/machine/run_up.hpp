@@ -1,6 +1,6 @@
 // Time in which a machine runs up, or is braked, along the moment lines of its motor and its load.
 //
-// Both lines are given by points over the speed and are straight between them; J is reduced to the motor's shaft. Time,
+// Both lines are given by points over the speed and are straight between them; J is reduced to the motor shaft. Time,
 // turns and work follow in closed form, piece by piece. Braking is a run from the higher to the lower speed, with the
 // moment of the brake, negative, as that of the motor. Source: [B36], J epsilon = M.
 // Not covered: lines that also depend on the angle or on time; elastic shafts. Near the speed where the motor only just
@@ -57,7 +57,7 @@ n_2 = "1400 rpm"
     AngularSpeed n = unset<AngularSpeed>;
     Moment M = unset<Moment>;
     static constexpr Fields fields{Field{&Point::n, "n", rpm, "speed, rising from one to the next"},
-                                   Field{&Point::M, "M", N_m, "moment at the motor's shaft"}};
+                                   Field{&Point::M, "M", N_m, "torque at the motor shaft"}};
   };
   static constexpr std::size_t most_parts = 16, most_points = 48;
   using Points = List<Point, most_points>;
@@ -89,7 +89,7 @@ n_2 = "1400 rpm"
     double u_M = unset<double>, u_t = unset<double>;
   };
   static constexpr Fields results{
-      Field{&Result::J_red, "J_red", kg_m2, "moment of inertia reduced to the motor's shaft"},
+      Field{&Result::J_red, "J_red", kg_m2, "moment of inertia reduced to the motor shaft"},
       Field{&Result::M_start, "M_start", N_m, "accelerating moment at the start, signed"},
       Field{&Result::M_end, "M_end", N_m, "accelerating moment at the end, signed"},
       Field{&Result::M_least, "M_least", N_m, "minimum accelerating moment up to the final speed"},

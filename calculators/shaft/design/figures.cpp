@@ -164,7 +164,7 @@ figure::Figure over_turn(const Design::Input& in, const Elastic& elastic, const 
   plot.y = {"sigma", "bending and torsional stress", "MPa"};
   plot.curves = {sigma};
   if (!tau.y.empty()) plot.curves.push_back(tau);
-  return {"turn", "Stresses over a turn at a point fixed to the shaft, where it is weakest", std::move(plot)};
+  return {"turn", "Stresses over a revolution at a point of the circumference, governing section", std::move(plot)};
 }
 
 }  // namespace
@@ -178,7 +178,7 @@ std::vector<figure::Figure> Design::figures(const Input& in, const Result& r) {
   figure::Shaft shaft = side(in, loaded, position);
   shaft.places = governing(r);
   if (std::any_of(loaded.N.begin(), loaded.N.end(), [](double N) { return N != 0.0; }))
-    shaft.diagrams.push_back(diagram({"N", "force along the shaft", "N"}, {along(loaded, "N", &thrust)}));
+    shaft.diagrams.push_back(diagram({"N", "axial force", "N"}, {along(loaded, "N", &thrust)}));
   shaft.diagrams.push_back(
       diagram({"V", "transverse force", "N"}, {along(loaded, "V_X", &force_x), along(loaded, "V_Y", &force_y)}));
   shaft.diagrams.push_back(
@@ -188,8 +188,8 @@ std::vector<figure::Figure> Design::figures(const Input& in, const Result& r) {
   shaft.diagrams.push_back(elastic_line(loaded));
   mark_peaks(shaft.diagrams.back());
   const char* const caption =
-      varies(in) ? "The shaft where it is bent most in a turn: torques, bearings, diagrams in both planes, and the "
-                   "sections that govern"
+      varies(in) ? "Shaft at its maximum bending in a revolution: loads, bearings, internal forces in both planes, "
+                   "governing sections"
                  : "Shaft with loads and bearings, internal forces in both planes, governing sections";
   std::vector<figure::Figure> all{{"shaft", caption, std::move(shaft)}};
   if (auto whirl = campbell(in, *elastic, r)) all.push_back(*std::move(whirl));

@@ -151,7 +151,7 @@ Panel assumptions(const project::Project& project) {
   std::vector<std::string> warnings;
   for (const auto& step : project.steps) {
     for (const Message& warning : step->account().warnings)
-      warnings.push_back(component_name(*step) + ": " + warning.text());
+      warnings.push_back(component_name(*step) + ": " + with_greek(warning.text()));
   }
   add_list("Warnings", warnings, most_warnings, panel);
   if (panel.blocks.empty()) panel.blocks.emplace_back(Paragraph{say("None.")});

@@ -111,7 +111,7 @@ std::string origin_step(const std::string& text) {
 
 std::string short_value(const Entry& entry) {
   constexpr int digits = 5;
-  if (!entry.word.empty()) return entry.word;
+  if (!entry.word.empty()) return entry.origin.sources.empty() ? spoken(entry.word) : entry.word;
   if (entry.value.si.empty()) return {};
   const bool is_series = entry.value.is_series();
   const double si = is_series ? largest(entry.value).value : entry.value.si.front();

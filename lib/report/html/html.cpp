@@ -208,10 +208,18 @@ class Writer {
 
 namespace {
 
+/// A title that leaves room for the rest of the footer in its line.
+std::string short_title(const std::string& title) {
+  constexpr std::size_t most_letters = 52;
+  if (title.size() <= most_letters) return title;
+  const std::size_t space = title.rfind(' ', most_letters);
+  return space == std::string::npos ? title : title.substr(0, space) + " \u2026";
+}
+
 page::Running running_of(const Document& document) {
   const std::string input = document.heading.number.empty() ? std::string() : document.heading.number.back().text;
   const std::string program = document.program;
-  return {document.title, input.empty() ? program : say("{1}, input {2}", program, input).text()};
+  return {short_title(document.title), input.empty() ? program : say("{1}, input {2}", program, input).text()};
 }
 
 }  // namespace

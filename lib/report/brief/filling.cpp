@@ -32,6 +32,20 @@ double full_height(const Band& band) {
   return highest;
 }
 
+std::size_t rows_that_fit(const Table& sources, double height) {
+  constexpr double letters_in_line = 105.0, of_line = 3.3, gap = 0.9;  // mm
+  std::size_t count = 0;
+  for (const auto& row : sources.rows) {
+    height -= gap + of_line * std::ceil(letters_of(std::get<std::string>(row.back())) / letters_in_line);
+    if (height < 0.0) break;
+    ++count;
+  }
+  return count;
+}
+
+/// "DIN 6892:2012: Parallel keys, method C" of a source with what was taken from it, which the appendix has.
+std::string without_remarks(const std::string& source) { return source.substr(0, source.find("; ")); }
+
 }  // namespace
 
 double height_of_lines(const Band& band) {
@@ -45,14 +59,10 @@ double height_of_lines(const Band& band) {
 }
 
 Table fitting(Table sources, double height) {
-  constexpr double letters_in_line = 105.0, of_line = 3.3, gap = 0.9;  // mm
-  std::size_t count = 0;
-  for (const auto& row : sources.rows) {
-    height -= gap + of_line * std::ceil(letters_of(std::get<std::string>(row.back())) / letters_in_line);
-    if (height < 0.0) break;
-    ++count;
+  if (rows_that_fit(sources, height) < sources.rows.size()) {
+    for (auto& row : sources.rows) row.back() = without_remarks(std::get<std::string>(row.back()));
   }
-  sources.rows.resize(count);
+  sources.rows.resize(rows_that_fit(sources, height));
   for (auto& row : sources.rows) row.back() = with_greek(std::get<std::string>(row.back()));
   sources.caption = {};
   return sources;

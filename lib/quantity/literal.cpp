@@ -98,9 +98,23 @@ std::string usual_unit(const Expected& expected) {
   return expected.unit.empty() ? readable_unit(0.0, expected.dimension, expected.kind) : std::string(expected.unit);
 }
 
-Fault with_remedy(Fault fault, const Expected& expected) {
+/// The unknown name that is all of the unit of a text: "mn" of "30 mn", not "n" of "30 n*m"; else empty.
+std::string_view only_unit(std::string_view text, const Fault& fault) {
+  if (fault.message.id != unknown_unit("").id) return {};
+  Cursor in{without_spaces_behind(text)};
+  in.skip_spaces();
+  const Outcome<Number> number = read_number(in.text, in.at);
+  if (!number) return {};
+  in.at = number->end;
+  in.skip_spaces();
+  return in.at == fault.at && in.text.size() == fault.at + fault.length ? in.text.substr(in.at) : std::string_view{};
+}
+
+Fault with_remedy(std::string_view text, Fault fault, const Expected& expected) {
   const bool number = expected.dimension.is_number();
   if (number && fault.message.id == unknown_unit("").id) fault.hint = say("write the number without a unit");  // 300 HB
+  if (const std::string_view name = only_unit(text, fault); !number && !name.empty())
+    fault.hint = unknown_unit_hint(name, expected.dimension, usual_unit(expected));
   if (!fault.hint.empty()) return fault;
   fault.hint =
       number ? say("write a plain number") : say("write a number and a unit, as in '30 {1}'", usual_unit(expected));
@@ -108,14 +122,14 @@ Fault with_remedy(Fault fault, const Expected& expected) {
 }
 
 Fault no_unit(const Written& w, const Expected& expected) {
-  return refuse(w, say("'{1}' has no unit, {2} is expected", w.number, named(expected)),
+  return refuse(w, say("'{1}' has no unit; {2} is expected", w.number, named(expected)),
                 say("write '{1} {2}'", w.number, usual_unit(expected)));
 }
 
 Fault wrong_dimension(const Written& w, const Expected& expected) {
   const Dimension &is = w.unit.dimension, &wanted = expected.dimension;
   const Kind kind = w.unit.has(Mark::work) ? Kind::energy : Kind::plain;
-  Message message = say("'{1}' is {2}, {3} is expected", w.text,
+  Message message = say("'{1}' is {2}; {3} is expected", w.text,
                         is == stiffness ? "a stiffness or load per length" : named(is, kind), named(expected));
   if (wanted.is_number()) return refuse(w, std::move(message), say("write the number without a unit"));
   const bool is_mass_for_force = is == wanted * acceleration || wanted == is * acceleration;
@@ -129,7 +143,7 @@ Fault wrong_dimension(const Written& w, const Expected& expected) {
 /// A rotational speed that is written without its angle: 1/min counts revolutions, all else is refused.
 Outcome<Literal> rotational_speed(Written w) {
   if (w.unit.has(Mark::hertz))
-    return refuse(w, say("'{1}' is a frequency, an angular velocity is expected", w.text),
+    return refuse(w, say("'{1}' is a frequency; an angular velocity is expected", w.text),
                   say("write it in rpm or in rad/s"));
   if (w.unit.names != 1 || !w.unit.has(Mark::minute))
     return refuse(w, say("'{1}' is ambiguous: radians or revolutions", w.text), say("write 'rad/s' or 'rev/s'"));
@@ -140,10 +154,10 @@ Outcome<Literal> rotational_speed(Written w) {
 
 std::optional<Fault> wrong_kind(const Written& w, Kind kind) {
   if (w.unit.has(Mark::scale) && kind != Kind::temperature)
-    return refuse(w, say("'{1}' is a point on the temperature scale, a difference is expected", w.text),
+    return refuse(w, say("'{1}' is a point on the temperature scale; a difference is expected", w.text),
                   say("write the difference in K"));
   if (w.unit.has(Mark::work) && kind == Kind::moment)
-    return refuse(w, say("'{1}' is an energy, a moment is expected", w.text), say("write it in N*m"));
+    return refuse(w, say("'{1}' is an energy; a moment is expected", w.text), say("write it in N*m"));
   return {};
 }
 
@@ -151,7 +165,7 @@ std::optional<Fault> wrong_kind(const Written& w, Kind kind) {
 
 Outcome<Literal> parse_literal(std::string_view text, const Expected& expected) {
   const Outcome<Written> w = read(text);
-  if (!w) return with_remedy(w.fault(), expected);
+  if (!w) return with_remedy(text, w.fault(), expected);
   const Dimension& is = w->unit.dimension;
   if (w->unit_text.empty() && !expected.dimension.is_number()) return no_unit(*w, expected);
   if (expected.dimension == angular_speed && is == frequency) return rotational_speed(*w);

@@ -43,6 +43,22 @@ std::string in_one_script(std::string_view name) {
   return text.empty() ? exchanged(cyrillic, latin) : text;
 }
 
+/// The unit that a misspelt name resembles most, of any dimension; else empty.
+std::string unit_meant(std::string_view name) {
+  std::string meant = in_one_script(name);
+  if (meant.empty()) meant = nearest(name, usual_names());
+  if (meant.empty() || !differ_in_case_only(meant, name))
+    if (std::string pair = split(name); !pair.empty()) meant = std::move(pair);
+  return meant;
+}
+
+/// The dimension of a unit as `unit_meant` writes it: a name, or a product of two.
+Dimension dimension_of(const std::string& unit) {
+  const std::size_t star = unit.find('*');
+  const Dimension first = find_unit(unit.substr(0, star)).row->dimension;
+  return star == std::string::npos ? first : first * find_unit(unit.substr(star + 1)).row->dimension;
+}
+
 std::string trimmed(std::string_view text) {
   const std::size_t from = std::min(text.find_first_not_of(' '), text.size());
   return std::string(text.substr(from, text.find_last_not_of(' ') + 1 - from));
@@ -56,11 +72,20 @@ Message unknown_unit(std::string_view name) {
 }
 
 Message unknown_unit_hint(std::string_view name) {
-  std::string meant = in_one_script(name);
-  if (meant.empty()) meant = nearest(name, usual_names());
-  if (meant.empty() || !differ_in_case_only(meant, name))
-    if (std::string pair = split(name); !pair.empty()) meant = std::move(pair);
+  const std::string meant = unit_meant(name);
   return meant.empty() ? Message{} : say("did you mean '{1}'?", meant);
+}
+
+Message unknown_unit_hint(std::string_view name, const Dimension& dimension, std::string_view usual) {
+  std::vector<std::string> names;
+  for (const UnitName& unit : all_unit_names(true))
+    if (unit.row->dimension == dimension) names.push_back(unit.text);
+  const std::vector<std::string> near = all_nearest(name, names);
+  if (!near.empty() && differ_in_case_only(near.front(), name)) return say("did you mean '{1}'?", near.front());
+  if (std::find(near.begin(), near.end(), usual) != near.end()) return say("did you mean '{1}'?", usual);
+  const std::string meant = unit_meant(name);
+  if (meant.empty() || dimension_of(meant) == dimension) return unknown_unit_hint(name);
+  return say("write a unit such as {1}", usual);
 }
 
 std::string split(std::string_view name) {

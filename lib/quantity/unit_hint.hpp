@@ -1,6 +1,7 @@
 // The remedies for a unit that cannot be read.
 #pragma once
 
+#include "lib/quantity/dimension.hpp"
 #include "lib/text/issue.hpp"
 
 #include <string>
@@ -10,6 +11,8 @@ namespace loadpath {
 
 Message unknown_unit(std::string_view name);
 Message unknown_unit_hint(std::string_view name);
+/// The same where a quantity of one dimension is expected, with `usual` as its unit: "mn" is mm of a length.
+Message unknown_unit_hint(std::string_view name, const Dimension& dimension, std::string_view usual);
 
 /// "kNm" as "kN*m": two known names run together; empty for any other name.
 std::string split(std::string_view name);

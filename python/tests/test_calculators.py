@@ -45,7 +45,7 @@ class Columns(unittest.TestCase):
         self.assertTrue(same(in_kilo["tau_max"], as_text))
         self.assertTrue(same(torsion.sweep(T=("kN*m", 1.2345), **given)["tau_max"], [as_text[1]]))
         self.assertTrue(same(torsion.sweep(T="1.2345 kN*m", **given)["tau_max"], [as_text[1]]))
-        with self.assertRaisesRegex(loadpath.Error, "is a force, a moment is expected") as caught:
+        with self.assertRaisesRegex(loadpath.Error, "is a force; a moment is expected") as caught:
             torsion.sweep(T=("kN", T), **given)
         self.assertEqual((caught.exception.file, caught.exception.line), ("T", 1))
         with self.assertRaisesRegex(loadpath.Error, "energy"):

@@ -66,7 +66,7 @@ TEST_SUITE("cli calculate") {
 )");
     CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa", "--torques", R"([{ x = "0 mm", T = "90 N" }])"})
               .error ==
-          R"(--torques:1:21: error: '90 N' is a force, a moment is expected
+          R"(--torques:1:21: error: '90 N' is a force; a moment is expected
 1 | [{ x = "0 mm", T = "90 N" }]
   |                     ^^^^
   = help: write a unit such as N*m
@@ -83,7 +83,7 @@ TEST_SUITE("cli calculate") {
   }
 
   TEST_CASE("a flag without its value and a superfluous word are reported") {
-    const std::string help = "  = help: `loadpath shaft torsion --help` shows what there is\n";
+    const std::string help = "  = help: `loadpath shaft torsion --help` lists all options\n";
     CHECK(loadpath_with({"shaft", "torsion", "--T"}).error == "loadpath: '--T' needs a value\n" + help);
     CHECK(loadpath_with({"shaft", "torsion", "heavy"}).error == "loadpath: 'heavy' is not expected here\n" + help);
   }

@@ -60,7 +60,7 @@ TEST_SUITE("cli rows in files") {
     CHECK(holds(unit.error, "name the unit in the header: y [mm]"));
     const Ran dimension = run(desk, "y [kg], z [mm]\n0, 0\n40, 0\n0, 30\n");
     CHECK(holds(dimension.error, "rows.csv:1:1: error: "));
-    CHECK(holds(dimension.error, "a mass, a length is expected"));
+    CHECK(holds(dimension.error, "a mass; a length is expected"));
     CHECK(holds(dimension.error, "name the unit in the header: y [mm]"));
     const Ran number = run(desk, "y [mm], z [mm]\n0, 0\n40, oops\n0, oops\n");
     CHECK(holds(number.error, "rows.csv:3:5: error: "));

@@ -148,7 +148,7 @@ TEST_SUITE("mechanism faults") {
     CHECK(with("A = [\"50 mm\", \"0 mm\"]", "A = { r = \"50 mm\", x = \"3 mm\" }")
               .starts_with("a.toml:10:38: error: a point has either x and y or r and angle\n"));
     CHECK(with("A = [\"50 mm\", \"0 mm\"]", "A = [\"50\", \"0 mm\"]") ==
-          R"(a.toml:10:40: error: '50' has no unit, a length is expected
+          R"(a.toml:10:40: error: '50' has no unit; a length is expected
 10 | points = { O = ["0 mm", "0 mm"], A = ["50", "0 mm"] }
    |                                        ^^
    = help: write '50 mm'
@@ -208,7 +208,7 @@ positions = 12
     CHECK(with("positions = 12", "positions = 12.5")
               .starts_with("a.toml:3:54: error: an integer is expected, not 12.5\n"));
     CHECK(with("\"60 rpm\"", "\"60 Hz\"") ==
-          R"(a.toml:3:33: error: '60 Hz' is a frequency, an angular velocity is expected
+          R"(a.toml:3:33: error: '60 Hz' is a frequency; an angular velocity is expected
 3 | crank = { joint = "O", speed = "60 Hz", positions = 12 }
   |                                 ^^^^^
   = help: write it in rpm or in rad/s

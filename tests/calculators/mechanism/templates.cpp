@@ -370,7 +370,7 @@ TEST_SUITE("mechanism template faults") {
   TEST_CASE("a parameter is checked like every field") {
     CHECK(said(slider, "\"50 mm\"", "\"-5 mm\"") == "a.r: r = -5 mm: must be > 0 mm");
     CHECK(said(slider, "\"50 mm\"", "\"5 kg\"") ==
-          "a.r: '5 kg' is a mass, a length is expected; write a unit such as mm");
+          "a.r: '5 kg' is a mass; a length is expected; write a unit such as mm");
   }
 
   TEST_CASE("what the template gives cannot be given again") {

@@ -171,7 +171,7 @@ TEST_SUITE("json") {
     CHECK(issue.at("column") == 6);
     CHECK(issue.at("key") == "axle.T");
     CHECK(issue.at("severity") == "error");
-    CHECK(issue.at("message") == "'9 N' is a force, a moment is expected");
+    CHECK(issue.at("message") == "'9 N' is a force; a moment is expected");
     CHECK(issue.at("help") == "write a unit such as N*m");
   }
 

@@ -8,7 +8,7 @@ using namespace loadpath::test;
 TEST_SUITE("project reading") {
   TEST_CASE("a wrong dimension is reported with the expected one") {
     CHECK(issues_of(axle + "T = \"2700 N\"\ntau_adm = \"30 MPa\"\n") ==
-          R"(a.toml:3:6: error: '2700 N' is a force, a moment is expected
+          R"(a.toml:3:6: error: '2700 N' is a force; a moment is expected
 3 | T = "2700 N"
   |      ^^^^^^
   = help: write a unit such as N*m
@@ -26,14 +26,14 @@ TEST_SUITE("project reading") {
   TEST_CASE("a number without a unit is refused where the field has a dimension") {
     const std::string remedy = "  = help: write '2700 N*m'\n";
     CHECK(issues_of(axle + "T = 2700\ntau_adm = \"30 MPa\"\n") ==
-          "a.toml:3:5: error: '2700' has no unit, a moment is expected\n3 | T = 2700\n  |     ^^^^\n" + remedy);
+          "a.toml:3:5: error: '2700' has no unit; a moment is expected\n3 | T = 2700\n  |     ^^^^\n" + remedy);
     CHECK(issues_of(axle + "T = \"2700\"\ntau_adm = \"30 MPa\"\n") ==
-          "a.toml:3:6: error: '2700' has no unit, a moment is expected\n3 | T = \"2700\"\n  |      ^^^^\n" + remedy);
+          "a.toml:3:6: error: '2700' has no unit; a moment is expected\n3 | T = \"2700\"\n  |      ^^^^\n" + remedy);
   }
 
   TEST_CASE("a unit is refused where the field is a plain number") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nK_A = \"1.4 mm\"\n") ==
-          R"(a.toml:5:8: error: '1.4 mm' is a length, a plain number is expected
+          R"(a.toml:5:8: error: '1.4 mm' is a length; a plain number is expected
 5 | K_A = "1.4 mm"
   |        ^^^^^^
   = help: write the number without a unit
@@ -326,11 +326,11 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
   TEST_CASE("all errors of a file are reported at once, in the order of their places") {
     CHECK(issues_of("[axle]\ncalculator = \"shaft.torsion\"\nT = \"9 N\"\ntau_adm = 30\n\n[pin]\ncalculator = "
                     "\"shaft.overhang\"\n\n[tables]\ncalculator = \"shaft.torsion\"\n") ==
-          R"(a.toml:3:6: error: '9 N' is a force, a moment is expected
+          R"(a.toml:3:6: error: '9 N' is a force; a moment is expected
 3 | T = "9 N"
   |      ^^^
   = help: write a unit such as N*m
-a.toml:4:11: error: '30' has no unit, a stress is expected
+a.toml:4:11: error: '30' has no unit; a stress is expected
 4 | tau_adm = 30
   |           ^^
   = help: write '30 MPa'

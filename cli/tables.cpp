@@ -188,9 +188,7 @@ std::vector<const table::Column*> columns_to_show(const Tables& chosen, const ta
   const auto add = [&](const std::string& key) {
     const auto known = [&](const table::Column* column) { return column->key == key; };
     if (shown.size() == most || std::any_of(shown.begin(), shown.end(), known)) return;
-    for (const Table* t : chosen) {
-      if (const auto* column = t->column(key)) return shown.push_back(column);
-    }
+    if (const auto* const column = table::find_column(chosen, key)) shown.push_back(column);
   };
   if (!order.key.empty()) add(order.key);
   for (const auto& comparison : condition) add(comparison.key);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace loadpath::table {
@@ -12,7 +13,7 @@ namespace loadpath::table {
 namespace {
 
 constexpr std::pair<std::string_view, std::string_view> plain_words[] = {
-    {"mass", "m"}, {"area", "A"}, {"depth", "h"}, {"height", "h"}, {"width", "b"}};
+    {"mass", "m"}, {"weight", "m"}, {"area", "A"}, {"depth", "h"}, {"height", "h"}, {"width", "b"}};
 
 constexpr std::string_view signs[] = {">=", "<=", "!=", ">", "<", "="};  // the longer ones first
 
@@ -22,12 +23,8 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-const Column* find_column(const std::vector<const Table*>& tables, std::string_view key) {
-  for (const Table* table : tables) {
-    if (const Column* column = table->column(key)) return column;
-  }
-  return nullptr;
-}
+/// "in", "in^4", "lb/ft"
+bool is_customary(std::string_view unit) { return unit == "in" || unit.starts_with("in^") || unit.starts_with("lb"); }
 
 std::vector<std::string> keys_of(const std::vector<const Table*>& tables) {
   std::vector<std::string> keys;
@@ -46,7 +43,10 @@ Outcome<const Column*> column_named(std::string_view word, std::size_t at, const
     const Column* column = plain == word ? find_column(tables, key) : nullptr;
     if (column != nullptr) return column;
   }
-  const auto keys = keys_of(tables);
+  auto keys = keys_of(tables);
+  for (const auto& [plain, key] : plain_words) {
+    if (find_column(tables, key) != nullptr) keys.emplace_back(plain);
+  }
   return Fault{at, std::max<std::size_t>(1, word.size()), say("unknown column '{1}' in these tables", word),
                did_you_mean(word, keys, there_is(keys))};
 }
@@ -65,8 +65,20 @@ Outcome<double> value_of(std::string_view text, std::string_view part, const Col
   return fault;
 }
 
+/// "h => 200 mm", "h == 200 mm": the sign that was meant.
+std::optional<Fault> misspelt_sign(std::string_view text, std::string_view part) {
+  constexpr std::pair<std::string_view, std::string_view> wrong[] = {{"=>", ">="}, {"=<", "<="}, {"==", "="}};
+  for (const auto& [sign, meant] : wrong) {
+    const std::size_t at = part.find(sign);
+    if (at == std::string_view::npos) continue;
+    return Fault{offset(text, part) + at, sign.size(), say("unknown sign '{1}'", sign), say("write {1}", meant)};
+  }
+  return {};
+}
+
 Outcome<Comparison> read_comparison(std::string_view text, std::string_view part,
                                     const std::vector<const Table*>& tables) {
+  if (auto fault = misspelt_sign(text, part)) return *std::move(fault);
   for (const std::string_view sign : signs) {
     const std::size_t at = part.find(sign);
     if (at == std::string_view::npos) continue;
@@ -84,6 +96,16 @@ Outcome<Comparison> read_comparison(std::string_view text, std::string_view part
 }
 
 }  // namespace
+
+const Column* find_column(const std::vector<const Table*>& tables, std::string_view key) {
+  const Column* customary = nullptr;
+  for (const Table* table : tables) {
+    const Column* const column = table->column(key);
+    if (column != nullptr && !is_customary(column->unit)) return column;
+    if (customary == nullptr) customary = column;
+  }
+  return customary;
+}
 
 bool Comparison::holds(double value) const {
   if (std::isnan(value)) return false;

@@ -25,6 +25,9 @@ struct Comparison {
 };
 using Condition = std::vector<Comparison>;
 
+/// The column of this key, in metric units where a table has them; null if there is none.
+const Column* find_column(const std::vector<const Table*>& tables, std::string_view key);
+
 /// The condition, or its fault with the place: unknown columns with near ones, other dimensions.
 Outcome<Condition> read_condition(std::string_view text, const std::vector<const Table*>& tables);
 

@@ -57,6 +57,15 @@ TEST_SUITE("cli tables") {
     CHECK(contains(o.out, "9 of 18 rows"));
   }
 
+  TEST_CASE("a search of metric and customary tables shows metric units") {
+    const Ran o =
+        loadpath_with({"tables", "sections", "--where", "I_min >= 300 cm^4 and h <= 200 mm", "--sort", "weight"});
+    CHECK(o.code == 0);
+    CHECK(contains(o.out, "m [kg/m]"));
+    CHECK(contains(o.out, "h [mm]"));
+    CHECK_FALSE(contains(o.out, "[in"));
+  }
+
   TEST_CASE("a condition that cannot be read is marked at its word") {
     const Ran o = loadpath_with({"tables", "sections", "--where", "h > 100 mm and I_mni > 3 cm^4"});
     CHECK(o.code == 2);

@@ -62,6 +62,10 @@ TEST_SUITE("table search") {
     CHECK(fault("h > 30").message.text().find("30") != std::string::npos);
     CHECK(fault("h > 30 kg").at == 4);
     CHECK(fault("h >").message.text() == "a value is missing after '>'");
+    CHECK(fault("h > 30").hint.text() == "write '30 mm'");  // metric, though tables in inches come first
+    CHECK(fault("h => 30 mm").message.text() == "unknown sign '=>'");
+    CHECK(fault("h => 30 mm").hint.text() == "write >=");
+    CHECK(fault("h == 30 mm").hint.text() == "write =");
     CHECK(fault("h").message.text() == "'h' compares nothing");
     CHECK(fault("").message.text() == "'' compares nothing");
     CHECK(fault("h > 1 mm and ").message.text() == "'' compares nothing");

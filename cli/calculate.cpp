@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/inputs/missing_file.hpp"
 #include "cli/output.hpp"
 #include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
@@ -179,7 +180,7 @@ int calculate(const CalculateOptions& options) {
   sources.push_back({"--at", options.at});
   terminal::SourceText file{options.file == "-" ? "standard input" : options.file, ""};
   if (!options.file.empty() && !toml::read_file(options.file, file.text)) {
-    std::cerr << "loadpath: cannot read '" << options.file << "'\n";
+    std::cerr << "loadpath: cannot read '" << options.file << "'\n  = help: " << help_for_file(options.file) << "\n";
     return wrong_input;
   }
   sources.push_back(file);

@@ -207,7 +207,7 @@ bool can_place(const std::string& path) {
 bool can_write(const OutputOptions& options) {
   if (!can_stream(options)) return false;
   if (!options.series.empty() && options.csv.empty() && !options.json) {
-    std::cerr << "loadpath: '--series' says which series --csv and --json hold, and neither is given\n  = help: add "
+    std::cerr << "loadpath: '--series' selects the series for --csv and --json; neither is given\n  = help: add "
                  "--csv PATH or --json\n";
     return false;
   }

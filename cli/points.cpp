@@ -44,6 +44,15 @@ void take_points(const PointOptions& options, project::SweepSettings& settings) 
   for (const std::string& zip : options.zip) settings.zip.push_back(split(zip, "--zip"));
 }
 
+std::string needs_point(const PointOptions& options) {
+  const std::string given = options.samples       ? "--samples"
+                            : options.seed        ? "--seed"
+                            : options.latin       ? "--latin"
+                            : options.zip.empty() ? ""
+                                                  : "--zip";
+  return given.empty() ? given : "'" + given + "' applies to a sweep, and this solves a single design";
+}
+
 void take_point(project::Project& project, std::uint64_t point, std::vector<Issue>& issues) {
   const project::SweepPlan plan = project::plan_sweep(project, project.sweep, issues);
   if (has_errors(issues)) return;

@@ -157,6 +157,8 @@ int run_several(const RunOptions& options) {
 }  // namespace
 
 int run(const RunOptions& options) {
+  if (const std::string wrong = needs_point(options.points); !wrong.empty() && !options.point)
+    return refuse(wrong, "add --point N, or use `loadpath sweep`");
   if (!can_write(options.output)) return wrong_input;
   return are_several(options.files) ? run_several(options) : run_one(options.files[0], options, options.output);
 }

@@ -25,6 +25,10 @@ int refuse_step(const project::Project& project, const std::string& name) {
 }  // namespace
 
 int why(const WhyOptions& options) {
+  if (const std::string wrong = needs_point(options.points); !wrong.empty() && !options.point) {
+    std::cerr << "loadpath: " << wrong << "\n  = help: add --point N, or use `loadpath sweep`\n";
+    return wrong_input;
+  }
   std::string text;
   if (!toml::read_file(options.file, text)) {
     std::cerr << "loadpath: cannot read '" << options.file << "'\n  = help: " << help_for_file(options.file)

@@ -1,6 +1,7 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/commands.hpp"
+#include "cli/inputs/missing_file.hpp"
 #include "cli/solving.hpp"
 #include "lib/export/json_writer.hpp"
 #include "lib/project/solving/read_project.hpp"
@@ -26,7 +27,7 @@ std::string name_of(const std::string& file) { return file == "-" ? "standard in
 std::optional<project::Project> solved(const std::string& file) {
   std::string text;
   if (!toml::read_file(file, text)) {
-    std::cerr << "loadpath: cannot read '" << file << "'\n";
+    std::cerr << "loadpath: cannot read '" << file << "'\n  = help: " << help_for_file(file) << "\n";
     return std::nullopt;
   }
   std::vector<Issue> issues;

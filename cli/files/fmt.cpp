@@ -1,6 +1,7 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/commands.hpp"
+#include "cli/inputs/missing_file.hpp"
 #include "cli/inputs/projects.hpp"
 #include "cli/staged.hpp"
 #include "lib/project/layout/layout.hpp"
@@ -21,7 +22,7 @@ struct Text {
 /// False, with a word, if there is no layout.
 bool lay_out(Text& text) {
   if (!toml::read_file(text.file, text.before)) {
-    std::cerr << "loadpath: cannot read '" << text.file << "'\n";
+    std::cerr << "loadpath: cannot read '" << text.file << "'\n  = help: " << help_for_file(text.file) << "\n";
     return false;
   }
   const std::string name = text.file == "-" ? "standard input" : text.file;

@@ -72,7 +72,7 @@ bool ask_for_file(const Starter& starter, std::string& file) {
   while (auto answer = ask("file", starter.name + ".toml")) {
     file = std::move(*answer);
     if (!is_there(file)) return true;
-    std::cerr << "  '" << file << "' is there already, and stays as it is: name another\n";
+    std::cerr << "  '" << file << "' already exists and is not overwritten: name another\n";
   }
   return false;
 }
@@ -150,7 +150,7 @@ int init(const InitOptions& options) {
   const Starter* const starter = find_starter(options.starter);
   if (starter == nullptr) return refuse("unknown template '" + options.starter + "'", template_hint(options.starter));
   const std::string file = options.file.empty() ? starter->name + ".toml" : options.file;
-  if (is_there(file)) return refuse("'" + file + "' is there already, and stays as it is", "name another file");
+  if (is_there(file)) return refuse("'" + file + "' already exists and is not overwritten", "name another file");
   return write(*starter, file, settings);
 }
 

@@ -14,7 +14,7 @@ constexpr auto footer = R"(Examples:
 
 Exit codes: 0 every failure mode that applies passes, or the user accepts it; 1 one fails, or a search has no result;
 4 incomplete: none fails, but some have not been assessed, or are outside the scope;
-2 the input is wrong, nothing is written; 3 a fault of the program, or of standard output; 130 interrupted.)";
+2 the input is wrong, nothing is written; 3 an internal error, or standard output cannot be written; 130 interrupted.)";
 
 void setup_run(CLI::App& app, RunOptions& options, Action& action) {
   CLI::App* run_app = app.add_subcommand("run", "solve project files");
@@ -31,9 +31,9 @@ void setup_run(CLI::App& app, RunOptions& options, Action& action) {
 void setup_why(CLI::App& app, WhyOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("why", "governing checks, choices and formulas of a step");
   sub->add_option("file", options.file, "project file; - is standard input")->required();
-  sub->add_option("of", options.of,
+  sub->add_option("step", options.of,
                   "step, or a result or failure mode of one: rod, rod.u; omitted: the step that governs the verdict");
-  sub->add_option("--point", options.point, "of point N (from 0) of the project's sweep")->type_name("N");
+  sub->add_option("--point", options.point, "show point N (from 0) of the project's sweep")->type_name("N");
   add_points(*sub, options.points);
   add_settings(*sub, options.settings);
   sub->callback([&] { action = [&] { return why(options); }; });
@@ -62,15 +62,15 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
   sub->add_option("part", options.part, "the same, where the id is two words");
   sub->add_flag("--full", options.full, "every field, rule, result, failure mode and source");
   sub->add_flag("--toml", options.toml, "only the example, a project file that runs");
-  sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
+  sub->add_flag("--json", options.json, "print as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return describe(options); }; });
 }
 
 void setup_list(CLI::App& app, ListOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("list", "all calculators, those of an element, or those that words find");
+  CLI::App* sub = app.add_subcommand("list", "calculators: all, those of an element, or those that match words");
   sub->add_option("word", options.words, "an element, e.g. shaft, or a search word: buckling, S-N, Passfeder");
-  sub->add_flag("--all", options.all, "those found by a failure mode or the scope, too");
-  sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
+  sub->add_flag("--all", options.all, "also those that match by a failure mode or their scope");
+  sub->add_flag("--json", options.json, "print as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return list(options); }; });
 }
 
@@ -91,7 +91,7 @@ void setup_verify(CLI::App& app, VerifyOptions& options, Action& action) {
       app.add_subcommand("verify", "published reference cases: published and computed value, deviation, source");
   sub->add_option("file", options.files, "project files with [[expect]] entries; omitted: the built-in cases");
   sub->add_flag("--full", options.full, "print every value of the built-in cases, not only the misses and the counts");
-  sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
+  sub->add_flag("--json", options.json, "print as one JSON object, numbers in SI");
   sub->add_option("--report", options.reports,
                   "write a report of every value: FILE.html, FILE.md, FILE.tex or FILE.pdf")
       ->type_name("FILE")
@@ -112,19 +112,20 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
   sub->add_option("--sort", options.sort, "column to sort by, as in mass or h; with - before it from the largest")
       ->type_name("COLUMN");
   sub->add_flag("--audit", options.audit, "all values not checked against a source");
-  sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
+  sub->add_flag("--json", options.json, "print as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return tables(options); }; });
 }
 
 void setup_completion(CLI::App& app, CompletionOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("completion", "completion of words for bash, zsh or fish");
-  sub->add_option("shell", options.shell, "bash, zsh or fish; candidates: requests of their scripts")
+  CLI::App* sub = app.add_subcommand("completion", "shell completion for bash, zsh or fish");
+  sub->add_option("shell", options.shell, "bash, zsh or fish (candidates: used by their scripts)")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish", "candidates"}));
-  sub->add_option("words", options.words, "of candidates: the words behind loadpath, the last one begun")
+  sub->add_option("words", options.words, "for candidates: the words after loadpath, the last one incomplete")
       ->type_name("");
   sub->footer(
-      "For this shell: source <(loadpath completion bash). For good: write it into the folder of its completions.");
+      "For this shell: source <(loadpath completion bash). Permanently: save its output in the shell's completions "
+      "folder.");
   sub->callback([&] { action = [&] { return completion(options); }; });
 }
 
@@ -147,7 +148,8 @@ void CommandLine::set_up(const CLI::App& command) {
 CommandLine::CommandLine()
     : app("loadpath: design calculator for machine elements, from the loads of a mechanism to the sizes of its parts",
           "loadpath") {
-  app.set_version_flag("--version", program());
+  app.set_help_flag("-h,--help", "print this help and exit");
+  app.set_version_flag("--version", program(), "print the version and exit");
   app.require_subcommand(0, 1);
   setup_run(app, options.run, action);
   setup_sweep(app, options.sweep, action);

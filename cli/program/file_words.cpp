@@ -4,12 +4,12 @@
 namespace loadpath::cli {
 
 void setup_init(CLI::App& app, InitOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("init", "begin a project: a commented file that runs");
+  CLI::App* sub = app.add_subcommand("init", "start a project: a commented file that runs");
   sub->add_option("template", options.starter,
                   "belt, chain, column, gear, mechanism, shaft, vessel or worm; prompted for on a terminal if omitted");
   sub->add_option("file", options.file, "file to write; omitted: TEMPLATE.toml; - is standard output");
   sub->add_option("--set", options.settings,
-                  "a number of its own: --set T=\"80 N*m\" for one of [values], --set shaft.S_F=2 for another")
+                  "another value: --set T=\"80 N*m\" of [values], --set shaft.S_F=2 of a step")
       ->type_name("FIELD=VALUE")
       ->expected(1)
       ->take_all()
@@ -27,7 +27,7 @@ void setup_diff(CLI::App& app, DiffOptions& options, Action& action) {
 }
 
 void setup_fmt(CLI::App& app, FmtOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("fmt", "lay project files out: order of tables and keys, spaces, units");
+  CLI::App* sub = app.add_subcommand("fmt", "format project files: order of tables and keys, spaces, units");
   sub->add_option("file", options.files, "project files, and folders of them; - from standard input to standard output")
       ->required();
   sub->add_flag("--check", options.check, "write nothing, name the files that would change: exit code 1");

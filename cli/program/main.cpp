@@ -48,7 +48,7 @@ int guarded(int argc, char** argv) {
     std::cerr << "loadpath: standard output cannot be written\n";
     return fault;
   } catch (const std::exception& error) {
-    std::cerr << "loadpath: a fault of the program: " << error.what() << "\n";
+    std::cerr << "loadpath: internal error: " << error.what() << "\n";
     return fault;
   }
 }

@@ -81,7 +81,7 @@ int unknown_option(const CLI::App& command, const std::string& word) {
                                                        ? "name the calculator: " + path_of(command) + " " + subs[0]
                                                        : "name the calculator; " + there_is(subs).text());
   std::string otherwise = name.size() > 2 ? input_of_table(command, name.substr(2)) : "";
-  if (otherwise.empty()) otherwise = "`" + path_of(command) + " --help` shows what there is";
+  if (otherwise.empty()) otherwise = "`" + path_of(command) + " --help` lists all options";
   const FieldInfo* const result = name.size() > 2 ? result_named(command, name.substr(2)) : nullptr;
   return refuse(
       result == nullptr ? "unknown option '" + name + "'" : "'" + name + "' is a result, not an input: " + result->doc,
@@ -143,6 +143,8 @@ std::string command_meant(const std::string& word, const std::vector<std::string
   }
   if (table::first_table_in(word) != nullptr) return "did you mean 'tables " + word + "'?";
   if (word == "solve" || word == "report" || word == "calculate") return "did you mean 'run' (solves a project file)?";
+  if (word == "help") return "`loadpath --help`, or `loadpath COMMAND --help`";
+  if (word.ends_with(".toml")) return "`loadpath run " + word + "` solves a project file";
   const std::string near = nearest(word, commands);
   if (near.empty() && !search(word).named.empty()) return "`loadpath list " + word + "` finds calculators";
   return did_you_mean(word, commands, there_is(commands)).text();
@@ -162,6 +164,47 @@ std::string divided_value(const CLI::App& command, const std::string& word, cons
     return typed[i - 2] + " \"" + value + "\"";
   }
   return "";
+}
+
+/// "0.500000" as "0.5"
+std::string short_number(std::string text) {
+  if (text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+/// "run,bash" as "run, bash"; a word that only the scripts of the shells use is left out.
+std::string listed_choices(std::string_view words) {
+  std::string all;
+  while (!words.empty()) {
+    const std::string_view word = words.substr(0, words.find(','));
+    words.remove_prefix(std::min(words.size(), word.size() + 1));
+    if (word != "candidates") all.append(all.empty() ? "" : ", ").append(word);
+  }
+  return all;
+}
+
+/// Refuses a value that is not a choice or not in its range; 0 for any other text of the library:
+/// "--detail: long not in {brief,normal,full}", "--jobs: Value 0 not in range 1 to 1024".
+int wrong_value(const std::string& said, const std::string& help) {
+  const std::size_t value = said.find(": "), choices = said.find(" not in {"), range = said.find(" not in range ");
+  if (value == std::string::npos) return 0;
+  const std::string option = said.substr(0, value);
+  if (choices != std::string::npos && said.ends_with('}'))
+    return refuse("'" + said.substr(value + 2, choices - value - 2) + "' is not a value of " + option,
+                  "one of " + listed_choices(std::string_view(said).substr(choices + 9, said.size() - choices - 10)));
+  const std::string word = ": Value ";
+  if (range == std::string::npos || !said.substr(value).starts_with(word)) return 0;
+  const std::string given = said.substr(value + word.size(), range - value - word.size());
+  const std::size_t from = range + std::string_view(" not in range ").size(), to = said.find(" to ", from);
+  const std::string least = said.substr(from, to - from), most = said.substr(to + 4);
+  constexpr std::size_t longest = 20;  // digits of the largest number that there is
+  const std::string kind = least.find('.') == std::string::npos ? "an integer" : "a number";
+  return refuse(option + ": '" + given + "' is not " + kind +
+                    (most.size() > longest ? " of " + short_number(least) + " or more"
+                                           : " from " + short_number(least) + " to " + short_number(most)),
+                help);
 }
 
 }  // namespace
@@ -192,7 +235,7 @@ int wrong_words(const CLI::App& app, const CLI::ParseError& error, const std::ve
   const CLI::App& command = deepest(app);
   const auto words = app.remaining(true);
   if (!words.empty() && words[0].starts_with("--")) return unknown_option(command, words[0]);
-  const std::string help = "`" + path_of(command) + " --help` shows what there is";
+  const std::string help = "`" + path_of(command) + " --help` lists all options";
   if (!words.empty()) {
     const std::string whole = divided_value(command, words[0], typed);
     return refuse("'" + words[0] + "' is not expected here",
@@ -206,11 +249,11 @@ int wrong_words(const CLI::App& app, const CLI::ParseError& error, const std::ve
     if (missing != nullptr) return refuse(shown_name(*missing) + " is missing", call_of(command) + "; " + help);
   }
   const std::string said = error.what();
-  // "--detail: long not in {brief,normal,full}"
-  const std::size_t value = said.find(": "), choices = said.find(" not in {");
-  if (value != std::string::npos && choices != std::string::npos && said.ends_with('}'))
-    return refuse("'" + said.substr(value + 2, choices - value - 2) + "' is not a value of " + said.substr(0, value),
-                  "one of " + said.substr(choices + 9, said.size() - choices - 10));
+  if (said == "file is required") return refuse("FILE is missing", "`" + path_of(command) + " FILE`; " + help);
+  if (const int refused = wrong_value(said, help); refused != 0) return refused;
+  if (const std::size_t both = said.find(" excludes "); both != std::string::npos)
+    return refuse("'" + said.substr(0, both) + "' and '" + said.substr(both + 10) + "' cannot be given together",
+                  "leave one of them out");
   if (error.get_name() == "ArgumentMismatch")
     return refuse("'" + said.substr(0, said.find(':')) + "' needs a value", help);
   return refuse(said, help);

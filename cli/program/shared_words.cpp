@@ -37,10 +37,11 @@ void add_output(CLI::App& app, OutputOptions& output) {
   app.add_flag("--brief", output.brief, "with --report: only the pages to decide, to check and to recompute")
       ->excludes(detail);
   app.add_flag("--json", output.json, "print the results as one JSON object, of several projects as a list");
-  app.add_option("--csv", output.csv, "write the series: each step's into a folder, or the one's into FILE.csv or -")
+  app.add_option("--csv", output.csv,
+                 "write the series: a file per step into a folder, or those of a single step into FILE.csv or -")
       ->type_name("PATH");
   app.add_option("--series", output.series,
-                 "the series that CSV and JSON hold, by name: drive.M,links.*.N; * is any characters")
+                 "series for CSV and JSON, by name: drive.M,links.*.N; * stands for any characters")
       ->type_name("NAMES")
       ->delimiter(',')
       ->expected(1)
@@ -60,7 +61,7 @@ void add_output(CLI::App& app, OutputOptions& output) {
 }
 
 void add_settings(CLI::App& app, std::vector<std::string>& settings) {
-  app.add_option("--set", settings, "a field in place of what the file says: --set shaft.d=\"45 mm\"")
+  app.add_option("--set", settings, "replace a field of the file: --set shaft.d=\"45 mm\"")
       ->type_name("STEP.FIELD=VALUE")
       ->expected(1)
       ->take_all()

@@ -36,10 +36,10 @@ void add_folder(CLI::App& app, SweepOptions& options) {
   app.add_flag("--resume", options.resume, "continue the stored sweep");
   app.add_option("--status", options.status, "progress of the sweep in a folder, and the missing points")
       ->type_name("DIR");
-  app.add_option("--save-every", options.save_every, "seconds between states on the disk; omitted: 2")
+  app.add_option("--save-every", options.save_every, "seconds between saved states; omitted: 2")
       ->type_name("S")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--shard", options.shard, "solve the share K of N of the points, or FROM-TO")->type_name("K/N");
+  app.add_option("--shard", options.shard, "solve share K of N of the points, or points FROM-TO")->type_name("K/N");
   app.add_option("--merge", options.merge, "merge folders of shards")->type_name("DIR")->expected(1, -1);
 }
 

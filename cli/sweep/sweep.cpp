@@ -1,6 +1,7 @@
 #include "lib/report/sweep/sweep.hpp"
 
 #include "cli/commands.hpp"
+#include "cli/inputs/missing_file.hpp"
 #include "cli/output.hpp"
 #include "cli/parts/parts.hpp"
 #include "cli/solving.hpp"
@@ -225,7 +226,8 @@ int sweep(const SweepOptions& options) {
   if (!options.status.empty()) return tell_status(options);
   if (const auto refused = refuse_outputs(options)) return *refused;
   std::string text;
-  if (!toml::read_file(options.file, text)) return refuse("cannot read '" + options.file + "'");
+  if (!toml::read_file(options.file, text))
+    return refuse("cannot read '" + options.file + "'", help_for_file(options.file));
   PlannedSweep sweep(options, std::move(text));
   return answer(sweep);
 }

@@ -1,5 +1,6 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
+#include "cli/inputs/missing_file.hpp"
 #include "cli/solving.hpp"
 #include "cli/watch/opening.hpp"
 #include "cli/watch/server.hpp"
@@ -110,7 +111,8 @@ int refuse(const std::string& what, const std::string& help) {
 
 int watch(const WatchOptions& options) {
   if (options.file == "-") return refuse("standard input cannot be watched", "name a file");
-  if (!read_watched(options.file).is_there) return refuse("cannot read '" + options.file + "'", "name a project file");
+  if (!read_watched(options.file).is_there)
+    return refuse("cannot read '" + options.file + "'", help_for_file(options.file));
   try {
     return Watch(options).run();
   } catch (const boost::system::system_error& error) {

@@ -93,9 +93,9 @@ TEST_SUITE("cli help") {
 
   TEST_CASE("a missing word and a superfluous word are reported") {
     CHECK(loadpath_with({"run"}).error ==
-          "loadpath: FILE is missing\n  = help: `loadpath run FILE`; `loadpath run --help` shows what there is\n");
+          "loadpath: FILE is missing\n  = help: `loadpath run FILE`; `loadpath run --help` lists all options\n");
     CHECK(loadpath_with({"sweep", "a.toml", "b.toml"}).error ==
-          "loadpath: 'b.toml' is not expected here\n  = help: `loadpath sweep --help` shows what there is\n");
+          "loadpath: 'b.toml' is not expected here\n  = help: `loadpath sweep --help` lists all options\n");
     CHECK(loadpath_with({"run"}).code == 2);
   }
 }

@@ -90,7 +90,7 @@ TEST_SUITE("cli init") {
     desk.put("shaft.toml", "mine");
     const Ran there = desk.run({"init", "shaft"});
     CHECK(there.code == 2);
-    CHECK(contains(there.error, "'shaft.toml' is there already"));
+    CHECK(contains(there.error, "'shaft.toml' already exists"));
     CHECK(desk.get("shaft.toml") == "mine");
     CHECK(contains(desk.run({"init", "gear.bevel"}).error,
                    "loadpath describe gear.bevel --toml > project.toml; available: "));
@@ -114,7 +114,7 @@ TEST_SUITE("cli init") {
     CAPTURE(ran.out);
     CHECK(ran.code == 0);
     CHECK(contains(ran.out, "did you mean 'column'?"));
-    CHECK(contains(ran.out, "'column.toml' is there already"));
+    CHECK(contains(ran.out, "'column.toml' already exists"));
     CHECK(contains(ran.out, "compressive force [300 kN]"));
     CHECK(contains(ran.out, "unknown unit 'kn'"));
     CHECK(contains(desk.get("tower.toml"), "P = \"450 kN\""));

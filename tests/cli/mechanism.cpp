@@ -105,7 +105,7 @@ TEST_SUITE("cli mechanism") {
     const Ran idle = mechanism(desk, {"--series", "drive.M"});
     CHECK(idle.code == 2);
     CHECK(idle.error ==
-          "loadpath: '--series' says which series --csv and --json hold, and neither is given\n  = help: add --csv "
+          "loadpath: '--series' selects the series for --csv and --json; neither is given\n  = help: add --csv "
           "PATH or "
           "--json\n");
   }
@@ -151,7 +151,8 @@ TEST_SUITE("cli mechanism") {
     desk.put("a.toml", "[axle]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n");
     CHECK(desk.run({"mechanism", "planar", "--file", "a.toml"}).error ==
           "a.toml: error: the project has no step of 'mechanism.planar'\n");
-    CHECK(desk.run({"mechanism", "planar", "--file", "b.toml"}).error == "loadpath: cannot read 'b.toml'\n");
+    CHECK(desk.run({"mechanism", "planar", "--file", "b.toml"}).error ==
+          "loadpath: cannot read 'b.toml'\n  = help: no such file\n");
     CHECK(desk.run({"mechanism", "planar", "--template", "scotch_yoke", "--r", "9 mm", "--at", "3 deg"}).error ==
           "--at: error: crank angles are of a crank, and there is none\n  = help: write its speed: --crank '{ speed = "
           "\"60 rpm\" }'\n");

@@ -58,6 +58,32 @@ TEST_SUITE("cli wrong words") {
     CHECK(contains(loadpath_with({"run", "none.toml", "--csv", ""}).error, "--csv: a value is missing"));
   }
 
+  TEST_CASE("a value outside its range or choices is named with what may be given") {
+    CHECK(loadpath_with({"sweep", "a.toml", "--jobs", "0"})
+              .error.starts_with("loadpath: --jobs: '0' is not an integer from 1 to 1024\n"));
+    CHECK(loadpath_with({"sweep", "a.toml", "--quantile", "3"})
+              .error.starts_with("loadpath: --quantile: '3' is not a number from 0.5 to 0.999999\n"));
+    CHECK(loadpath_with({"sweep", "a.toml", "--save-every", "-1"})
+              .error.starts_with("loadpath: --save-every: '-1' is not a number of 0 or more\n"));
+    CHECK(loadpath_with({"run", "a.toml", "--detail", "long"}).error ==
+          "loadpath: 'long' is not a value of --detail\n  = help: one of brief, normal, full\n");
+    CHECK(contains(loadpath_with({"completion", "tcsh"}).error, "one of bash, zsh, fish\n"));
+    CHECK(contains(loadpath_with({"run", "a.toml", "--full", "--modes"}).error,
+                   "'--full' and '--modes' cannot be given together"));
+  }
+
+  TEST_CASE("a file in place of a command, and options of a sweep without a point, are reported with the remedy") {
+    CHECK(contains(loadpath_with({"shaft.toml"}).error, "`loadpath run shaft.toml` solves a project file"));
+    CHECK(contains(loadpath_with({"help"}).error, "`loadpath --help`"));
+    CHECK(contains(loadpath_with({"sweep"}).error, "FILE is missing"));
+    for (const char* command : {"run", "why"}) {
+      const Ran ran = loadpath_with({command, "a.toml", "--zip", "a.T,a.n"});
+      CHECK(ran.code == 2);
+      CHECK(contains(ran.error, "'--zip' applies to a sweep"));
+      CHECK(contains(ran.error, "add --point N"));
+    }
+  }
+
   TEST_CASE("a wrong key of a file is reported with the similar ones and their meanings") {
     CHECK(with_key("d_bor").code == 2);
     CHECK(contains(with_key("d_bor").error, "did you mean 'd_bore' ("));

@@ -83,7 +83,8 @@ void refuse(const Step& step, const std::string& path) {
     for (const Entry& entry : *entries) known.push_back(entry.path);
   }
   std::cerr << "loadpath: '" << step.name() << "' has no result and no failure mode '" << path << "'\n";
-  const std::string near = did_you_mean(path, known, say("`loadpath run` shows them"), step.name() + ".").text();
+  const std::string near =
+      did_you_mean(path, known, say("`loadpath run FILE --full` lists them"), step.name() + ".").text();
   std::cerr << "  = help: " << near << "\n";
 }
 

@@ -185,6 +185,7 @@ r_T = 0
       ListField{&Result::sections, "sections", "sections at changes of geometry or load, left to right"},
       ListField{&Result::safeties, "safeties", "fatigue safety factors of the same sections"}};
 
+  static bool within_ends(const Input& in);
   static bool on_shaft(const Input& in);
   static FieldFault off_shaft(const Input& in);
   static bool held(const Input& in);
@@ -224,8 +225,10 @@ r_T = 0
   static bool torque_runs(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{&held, "supports", "a shaft needs at least two bearings, at different positions"},
-      Rule<Input>{&on_shaft, "supports, seats, notches, pieces", "mounted components must lie between the shaft ends",
-                  &off_shaft},
+      // Without the diameters: known before they are searched for.
+      Rule<Input>{&within_ends, "supports, seats, notches",
+                  "bearings, mounted components and notches must lie between the shaft ends", &off_shaft},
+      Rule<Input>{&on_shaft, "supports, pieces", "the pressure centres of bearings must lie on the shaft", &off_shaft},
       Rule<Input>{&bores_fit, "pieces",
                   "the bore of a segment must be smaller than its outer diameter and that of its neighbours"},
       Rule<Input>{&bearings_sit, "supports, pieces", "bearings must be on cylindrical segments", &slips},
@@ -250,8 +253,7 @@ r_T = 0
                   "mounted components rotate in opposite directions in two steps: turns = \"cw\" of the gears reverses "
                   "their forces",
                   nullptr, true},
-      yields_before_it_breaks<Input>(),
-      lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
+      yields_before_it_breaks<Input>(), lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
       Rule<Input>{&discs_are_bodies, "seats", "a disc must be a body of revolution", &no_body},
       Rule<Input>{[](const Input& in) { return !(in.E < 2.0 * in.G || in.E > 3.0 * in.G); }, "E, G",
                   "E must be between 2 G and 3 G: moduli of the same material"},

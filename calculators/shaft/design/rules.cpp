@@ -124,9 +124,9 @@ BodyFault fault_of_body(const Seat& s) {
   if (is_set(s.I_p) && !across) return {"I_p", say("it turns about a diameter too: give I_d, or its width b")};
   if (is_set(s.I_d) && is_set(s.b)) return {"b", say("the width replaces I_d: give one of them")};
   if (s.I_p > rounding * 2.0 * s.I_d)
-    return {"I_d", say("of no body is the moment of inertia about a diameter below half of that about the axis")};
+    return {"I_d", say("no body has a moment of inertia about a diameter below half of that about the axis")};
   if (!is_set(s.k_T) && s.I_p > rounding * s.J)
-    return {"I_p", say("J is of all that turns with it, and this is a part of that")};
+    return {"I_p", say("J includes everything that rotates with it, and this is only a part of that")};
   if (s.mass == 0.0 * kg.one && (s.I_p > 0.0 * kg_m2.one || s.I_d > 0.0 * kg_m2.one))
     return {"mass", say("a component with a moment of inertia needs a mass")};
   return {};
@@ -149,9 +149,11 @@ bool Design::stiff_enough(const Input& in) {
   return told || bears(in);  // by another rule
 }
 
-bool Design::on_shaft(const Input& in) {
-  return !find_place(in, [&](const auto&, Length x) { return is_off(in, x); }) && first_floating(in) == nullptr;
+bool Design::within_ends(const Input& in) {
+  return !find_place(in, [&](const auto&, Length x) { return is_off(in, x); });
 }
+
+bool Design::on_shaft(const Input& in) { return within_ends(in) && first_floating(in) == nullptr; }
 
 FieldFault Design::off_shaft(const Input& in) {
   FieldFault fault;

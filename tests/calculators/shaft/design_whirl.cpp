@@ -123,7 +123,8 @@ TEST_SUITE("shaft design whirl") {
     CHECK(contains(refused(", b = \"100 mm\""), "give I_p"));
     CHECK(contains(refused(", I_p = \"0.3 kg*m^2\", I_d = \"0.14 kg*m^2\""), "below half of that about the axis"));
     CHECK(contains(refused(", I_p = \"0.3 kg*m^2\", I_d = \"0.2 kg*m^2\", b = \"1 mm\""), "replaces I_d"));
-    CHECK(contains(refused(", J = \"0.2 kg*m^2\", I_p = \"0.3 kg*m^2\", b = \"1 mm\""), "of all that turns with it"));
+    CHECK(contains(refused(", J = \"0.2 kg*m^2\", I_p = \"0.3 kg*m^2\", b = \"1 mm\""),
+                   "everything that rotates with it"));
     CHECK(refused(", J = \"0.2 kg*m^2\", k_T = \"9 N*m/rad\", I_p = \"0.3 kg*m^2\", b = \"1 mm\"").empty());
     CHECK(contains(Solved(shaft("{ l = \"1 m\", d = \"50 mm\" }", "{ x = \"0 m\" }, { x = \"1 m\" }",
                                 "{ x = \"0.5 m\", mass = \"0 kg\", I_p = \"1 kg*m^2\", b = \"0 mm\" }", ""))

@@ -95,7 +95,7 @@ void put_angles(Tree& step, const std::string& at, std::vector<Issue>& issues) {
   if (crank == nullptr) {
     issues.push_back({{"--at", 0, 0, 1},
                       "",
-                      say("crank angles are of a crank, and there is none"),
+                      say("crank angles need a crank, and this mechanism has none"),
                       say("write its speed: crank = { speed = \"60 rpm\" }"),
                       Severity::error});
     return;

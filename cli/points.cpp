@@ -82,8 +82,9 @@ Outcome<project::BlockRange> read_share(const std::string& text, const project::
   const std::uint64_t count = plan.space.count();
   if (a > b || b >= count) return wrong(say("the points are 0 to {1}", std::to_string(count - 1)));
   if (a % size != 0 || ((b + 1) % size != 0 && b + 1 != count))
-    return wrong(say("points are solved by blocks of {1}: it begins with one, and ends with one or with the last point",
-                     std::to_string(size)));
+    return wrong(
+        say("points are solved in blocks of {1}: a shard starts with a block and ends with one or with the last point",
+            std::to_string(size)));
   return project::BlockRange{a / size, b / size + 1};
 }
 

@@ -64,7 +64,7 @@ std::string shared_output(const std::vector<std::string>& paths) {
 
 /// Refuses options that need a single project; 0 if there are none.
 int refuse_for_several(const RunOptions& options, const std::vector<ProjectFile>& projects) {
-  if (options.point) return refuse("'--point' is about the sweep of one project", "name one file");
+  if (options.point) return refuse("'--point' needs a single project", "name one file");
   const std::vector<std::string> paths = paths_of(options.output);
   const std::string shared = shared_output(paths);
   if (!shared.empty())

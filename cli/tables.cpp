@@ -247,7 +247,7 @@ int search_tables(const TablesOptions& options) {
     return refuse_search("--where and --sort search a table", "name it: loadpath tables sections --where ...");
   const Tables chosen = table::tables_in(options.table);
   if (chosen.empty())
-    return refuse_search("--where and --sort search tables, and '" + options.table + "' is none",
+    return refuse_search("--where and --sort search tables, and '" + options.table + "' is not a table",
                          "`loadpath tables` shows all");
   if (options.key.empty()) return show_search(chosen, options);
   const bool part = !table::tables_in(options.table + "/" + options.key).empty();

@@ -71,7 +71,7 @@ FieldFault Rolling::missing_factors(const Input& in) {
   if (has_two_rows(in.kind)) want(in.Y_1, "Y_1");
   want(in.Y, has_two_rows(in.kind) ? "Y (Y_2 of the table)" : "Y");
   return {"kind",
-          at_an_angle(in.kind) ? say("in a bearing at an angle any load is axial too")
+          at_an_angle(in.kind) ? say("in an angular contact or tapered bearing every load causes an axial load")
                                : say("an axial load on this bearing needs the factors of the manufacturer's table"),
           say("give {1}", wanted)};
 }

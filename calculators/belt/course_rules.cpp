@@ -70,7 +70,7 @@ bool Course::powers_fit(const Input& in) { return wrong_power(in).message.empty(
 FieldFault Course::wrong_power(const Input& in) {
   if (in.pulleys.empty()) return {};
   if (is_set(in.pulleys[0].P))
-    return {path_of(in, 0) + ".P", say("the first pulley drives, and gives what the others take"),
+    return {path_of(in, 0) + ".P", say("the first pulley drives, and supplies what the others take"),
             say("leave out its power")};
   if (!has_powers(in) && !is_set(in.S_0)) return {};
   if (!is_set(in.n_1))
@@ -94,7 +94,7 @@ FieldFault Course::open_back(const Input& in) {
     const bool carries = is_set(p.P) && abs(p.P) > 0.0 * W;
     if (p.side == Side::outside && carries && is_set(in.mu) && !is_set(p.mu))
       return {path_of(in, k),
-              say("the back of the belt runs on this pulley, which takes power: its friction is another"),
+              say("the back of the belt runs on this pulley, which takes power: its friction is different"),
               say("give mu of this pulley, of a flat face without groove")};
   }
   return {};

@@ -60,7 +60,7 @@ bool Train::ratios_single(const Input& in) { return std::all_of(in.stages.begin(
 
 FieldFault Train::double_ratio(const Input& in) {
   return fault_of(in, is_single,
-                  say("the ratio of this stage is given more than once, or by what its kind does not have"),
+                  say("the ratio of this stage is given more than once, or by values that its kind does not have"),
                   say("give i, or teeth, or diameters; z_s and z_r only with kind = \"planetary\""));
 }
 
@@ -99,7 +99,7 @@ bool Train::members_differ(const Input& in) { return std::all_of(in.stages.begin
 
 FieldFault Train::same_member(const Input& in) {
   return fault_of(in, has_two_members,
-                  say("power cannot enter and leave by one member, and the ring has more teeth than the sun"),
+                  say("power cannot enter and leave through one member, and the ring has more teeth than the sun"),
                   say("choose in and out among sun, carrier, ring; z_r is larger than z_s"));
 }
 

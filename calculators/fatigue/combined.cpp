@@ -101,7 +101,7 @@ bool Combined::rule_has_all(const Input& in) { return lacking(in).path.empty(); 
 FieldFault Combined::lacking(const Input& in) {
   const bool apart = in.rule == Criterion::serensen || in.rule == Criterion::gough;
   if (apart && !is_set(in.tau_D))
-    return {"tau_D", say("this rule holds shear against its own fatigue limit"), say("give tau_D")};
+    return {"tau_D", say("this rule compares shear with its own fatigue limit"), say("give tau_D")};
   const bool by_yield = in.rule == Criterion::soderberg || in.rule == Criterion::elliptic;
   if (by_yield && !is_set(in.R_e))
     return {"R_e", say("this rule needs the yield strength R_e"), say("give it, or a material")};

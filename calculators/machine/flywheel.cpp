@@ -183,21 +183,21 @@ FieldFault Flywheel::law_fault(const Input& in) {
   }
   const std::string place = format_quantity(gap.from, deg.symbol, 4);
   if (gap.from < gap.to) {
-    return {"M_of_phi", say("near phi = {1} the moment leaps, or turns too fast to be followed", place),
-            say("it has a pole there, or too many waves in the period; give a leap by points")};
+    return {"M_of_phi", say("near phi = {1} the moment jumps, or varies too fast to be followed", place),
+            say("it has a pole there, or too many waves in the period; give a jump by points")};
   }
   return {"M_of_phi", say("the moment has no value at phi = {1}", place),
-          say("it divides by zero there, or takes a root or an arc of what has none")};
+          say("it divides by zero there, or takes a root or an arc function outside its range")};
 }
 
 namespace {
 
 FieldFault leap_after(double period, double last, double first) {
   return {"M_of_phi",
-          say("the moment does not repeat after {1}: it leaps there from {2} to {3}",
+          say("the moment does not repeat after {1}: it jumps there from {2} to {3}",
               format_quantity(period, deg.symbol, 5), format_quantity(last, N_m.symbol, 4),
               format_quantity(first, N_m.symbol, 4)),
-          say("give the period after which it repeats, as period = \"720 deg\"; a leap that is meant: accept.period = "
+          say("give the period after which it repeats, as period = \"720 deg\"; an intended jump: accept.period = "
               "\"...\"")};
 }
 

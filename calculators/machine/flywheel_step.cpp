@@ -61,7 +61,7 @@ bool FlywheelStep::fill(const Value& series, const project::Known& known, std::v
     return refuse(say("the moment is not over a closed cycle"), say("let the crank make full revolutions"));
   const Axis& axis = *series.signature.axis;
   if (series.si.size() > Flywheel::most_samples)
-    return refuse(say("the cycle has {1} positions, and at most {2} are taken", std::to_string(series.si.size()),
+    return refuse(say("the cycle has {1} positions, and at most {2} are accepted", std::to_string(series.si.size()),
                       std::to_string(Flywheel::most_samples)));
   if (std::any_of(series.si.begin(), series.si.end(), [](double M) { return std::isnan(M); }))
     return refuse(say("the moment is not known at every position of the cycle"));

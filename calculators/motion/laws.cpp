@@ -87,10 +87,10 @@ FieldFault gap_fault(std::span<const Written> laws, double t_1, double t_2) {
     if (gap.from < gap.to)
       return {
           law.key,
-          say("between t = {1} and {2} the law leaps, or turns too fast to be followed", time(gap.from), time(gap.to)),
+          say("between t = {1} and {2} the law jumps, or varies too fast to be followed", time(gap.from), time(gap.to)),
           say("it has a pole there, or the range is too long for its waves: give a shorter one")};
     return {law.key, say("the law has no value, speed or acceleration at t = {1}", time(gap.from)),
-            say("it divides by zero there, or takes a root or an arc of what has none")};
+            say("it divides by zero there, or takes a root or an arc function outside its range")};
   }
   return {};
 }

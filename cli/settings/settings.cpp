@@ -135,7 +135,7 @@ Message step_hint(const Tree& project, const std::string& key, const std::vector
   if (names.empty()) return say("the file has no steps");
   for (const Tree::Entry& step : project.entries) {
     if (step.value.type == Tree::Type::table && step.value.find(key) != nullptr)
-      return say("a field is written after its step: {1}.{2}", step.key, key);
+      return say("write the step before the field: {1}.{2}", step.key, key);
   }
   return did_you_mean(key, names, there_is(names));
 }

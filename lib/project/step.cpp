@@ -146,10 +146,11 @@ FieldFault lost_sign(const Operand& operand, const Declared& declared) {
   if (part.empty()) return {};
   if (part.find('.') != std::string_view::npos)
     return {operand.path,
-            say("the sign of '{1}' decides, and that of '{2}' is not of tension and compression", operand.path, part),
+            say("the sign of '{1}' matters, and that of '{2}' does not distinguish tension from compression",
+                operand.path, part),
             say("refer to the N of a link, or give the sign: -{1} for compression, 0 N + {1} for tension", part)};
-  return {operand.path, say("the sign of '{1}' decides, and '{2}' gives a magnitude", operand.path, part),
-          say("take the series itself, its least value, min(...), or say the sign: -peak(...)")};
+  return {operand.path, say("the sign of '{1}' matters, and '{2}' is a magnitude", operand.path, part),
+          say("take the series itself, its minimum, min(...), or give the sign: -peak(...)")};
 }
 
 /// An angle requires its unit, as in a typed value. A value from other steps may have lost its angle in a ratio of

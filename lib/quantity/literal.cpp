@@ -75,7 +75,7 @@ Outcome<Literal> in_si(const Written& w) {
   const double si = w.unit.to_si(w.value);
   const bool vanished = si == 0.0 && w.value != 0.0 && w.unit.offset == 0.0;
   if (w.unit.offset != 0.0 && si < 0.0)
-    return refuse(w, say("'{1}' is below absolute zero", w.text), say("the least temperature is -273.15 °C"));
+    return refuse(w, say("'{1}' is below absolute zero", w.text), say("the lowest temperature is -273.15 °C"));
   if (is_normal_or_zero(si) && !vanished) return Literal{si, w.unit.dimension};
   return refuse(w, say("'{1}' is out of the range of numbers", w.text));
 }

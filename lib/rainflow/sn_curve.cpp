@@ -40,7 +40,7 @@ const SnCurve::Segment* one_branch(const SnCurve& curve) {
 
 Fault not_one_branch() {
   return refused(say("Miner's rules are for a curve of one branch that ends at the fatigue limit"),
-                 say("a curve of several branches says itself what is below its knee: take it as it is"));
+                 say("a curve of several branches defines the range below its knee: use it unchanged"));
 }
 
 }  // namespace

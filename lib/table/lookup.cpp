@@ -103,6 +103,18 @@ Message listing(const Library& library, std::string_view group) {
   return say("`loadpath tables {1}` lists them", tables.size() == 1 ? first : first.substr(0, first.find('/')));
 }
 
+/// "IPE 80, IPE 100, IPE 120 and 15 more" for "ipe": the rows whose names begin with a word; empty if none does.
+std::string begun_by(const std::u32string& word, const std::vector<std::string>& names) {
+  constexpr std::size_t shown = 3;
+  std::size_t count = 0;
+  std::string rows;
+  for (const std::string& name : names) {
+    if (word.empty() || !folded(name).starts_with(word)) continue;
+    if (++count <= shown) rows += (count == 1 ? "" : ", ") + name;
+  }
+  return count <= shown ? rows : rows + " and " + std::to_string(count - shown) + " more";
+}
+
 }  // namespace
 
 Fault no_row(std::string_view group, std::string_view name, const std::vector<const Library*>& libraries) {
@@ -112,12 +124,14 @@ Fault no_row(std::string_view group, std::string_view name, const std::vector<co
   for (const Library* library : libraries) {
     const Entry close = last_row(*library, group, [&](const Row& row) { return is_among(row.near, wanted); });
     if (close.row != nullptr)
-      return fault(message, say("'{1}' comes close and is not the same: name it if it will do", close.row->name));
+      return fault(message, say("'{1}' is similar, but not the same: name it if it is suitable", close.row->name));
     add_names(*library, group, names);
   }
   auto near = near_names(name, names);
   if (std::string part = near.empty() ? part_or_whole(name, names) : ""; !part.empty()) near.push_back(std::move(part));
   if (near.empty()) {
+    if (std::string rows = begun_by(wanted, names); !rows.empty())
+      return fault(message, say("rows that begin with it: {1}", std::move(rows)));
     constexpr std::size_t few = 12;  // short lists are shown in full
     Message hint = listing(*libraries.back(), group);
     if (names.empty() || names.size() > few) return fault(message, std::move(hint));

@@ -122,13 +122,14 @@ std::optional<Issue> refuse_text(std::string_view text, const std::string& file)
     return issue_at(text, at, file, say("this byte is not UTF-8"), say("save the file as UTF-8"));
   }
   if (const std::size_t at = first_control(text, "\t\n\r"); at != std::string_view::npos)
-    return issue_at(text, at, file, say("the control character {1}", code_of(text, at)), say("remove it"));
+    return issue_at(text, at, file, say("control character {1}", code_of(text, at)),
+                    say("remove it; a project is a text file"));
   return std::nullopt;
 }
 
 std::optional<Issue> refuse_bare(std::string_view text, const std::string& file) {
   if (const std::size_t deep = first_too_deep(text); deep != std::string_view::npos)
-    return issue_at(text, deep, file, say("tables lie too deep within one another"), say("at most 64 levels"));
+    return issue_at(text, deep, file, say("tables are nested too deep"), say("at most 64 levels"));
   if (const std::size_t at = find_bare(text, is_foreign); at != std::string_view::npos)
     return issue_at(text, at, file, say("not valid TOML: non-ASCII character outside quotes"), {});
   return std::nullopt;

@@ -72,12 +72,21 @@ Message hint_for_word(std::string_view line, int column) {
   const auto at = static_cast<std::size_t>(column - 1);
   if (letters[at] == U'?') return say("a value to be found is written in quotes: \"?\"");
   std::size_t end = at;
-  while (end < letters.size() && letters[end] < 0x80 && std::isalnum(static_cast<unsigned char>(letters[end])) != 0)
-    ++end;
+  const auto is_of_word = [](char32_t c) {
+    return c < 0x80 && (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == U'.' || c == U'_' || c == U'-');
+  };
+  while (end < letters.size() && is_of_word(letters[end])) ++end;
   const std::string word = utf8(letters.substr(at, end - at));
   if (word.empty() || std::isalpha(static_cast<unsigned char>(word[0])) == 0) return {};
   if (word == "auto") return say("a value to be found is written \"?\"");
   return say("write a text in quotes: \"{1}\"", word);
+}
+
+/// Whether a text in quotes is followed by ';', perhaps with a second key.
+bool ends_with_semicolon(std::string_view value) {
+  if (!value.starts_with('"') && !value.starts_with('\'')) return false;
+  const std::size_t closed = value.find(value[0], 1);
+  return closed != std::string_view::npos && without_blanks(value.substr(closed + 1)).starts_with(';');
 }
 
 }  // namespace
@@ -113,8 +122,9 @@ Message hint_for(std::string_view line, int column) {
   if (quotes_within && head.size() > 2)
     return say("put an expression that contains quotes in single quotes: '{1}'", head.substr(1, head.size() - 2));
   const std::string_view key = line.substr(0, equals);
+  if (ends_with_semicolon(head)) return say("leave out ';': each key has a line of its own");
   if (has_foreign(key) && key.find('"') == std::string_view::npos)
-    return say("write a key with other than Latin letters in quotes");
+    return say("put a key with non-Latin letters in quotes");
   return hint_for_word(line, column);
 }
 

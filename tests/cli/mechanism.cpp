@@ -154,7 +154,8 @@ TEST_SUITE("cli mechanism") {
     CHECK(desk.run({"mechanism", "planar", "--file", "b.toml"}).error ==
           "loadpath: cannot read 'b.toml'\n  = help: no such file\n");
     CHECK(desk.run({"mechanism", "planar", "--template", "scotch_yoke", "--r", "9 mm", "--at", "3 deg"}).error ==
-          "--at: error: crank angles are of a crank, and there is none\n  = help: write its speed: --crank '{ speed = "
+          "--at: error: crank angles need a crank, and this mechanism has none\n  = help: write its speed: --crank '{ "
+          "speed = "
           "\"60 rpm\" }'\n");
   }
 

@@ -96,7 +96,7 @@ TEST_SUITE("cli settings") {
     CHECK(contains(with(line_shaft, {"shaft.torques[0].x=1 mm"}, {}).error,
                    "elements are counted from 1, [1] to [2], or named: M1, M2"));
     CHECK(contains(with(line_shaft, {"torques[1].x=1 mm"}, {}).error,
-                   "= help: a field is written after its step: shaft.torques\n"));
+                   "= help: write the step before the field: shaft.torques\n"));
     CHECK(contains(with("", {"shaft.d=1 mm"}, {}).error, "= help: the file has no steps"));
     CHECK(contains(with(line_shaft, {"shaft.torques[3].x=1 mm"}, {}).error, "unknown element '[3]'"));
     CHECK(contains(with(line_shaft, {"shaft.tau_adm.x=1 mm"}, {}).error, "is a text, and has no fields"));

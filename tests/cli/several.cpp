@@ -91,7 +91,7 @@ TEST_SUITE("cli several projects") {
     CHECK_FALSE(desk.has("out.html"));
     CHECK(desk.run({"run", "all", "--csv", "series"}).code == 2);
     CHECK(desk.run({"run", "all", "--report", "html:-"}).code == 2);
-    CHECK(contains(desk.run({"run", "all", "--point", "0"}).error, "'--point' is about the sweep of one project"));
+    CHECK(contains(desk.run({"run", "all", "--point", "0"}).error, "'--point' needs a single project"));
     desk.put("all/axle/weak.toml", passing);
     CHECK(contains(desk.run({"run", "all/weak.toml", "all/axle", "--report", "out/*.md"}).error,
                    "two projects would write to 'out/weak.md'"));

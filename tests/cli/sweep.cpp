@@ -199,7 +199,7 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(desk.get("a.csv") == desk.get("b.csv"));
     const Ran other = desk.run({"sweep", "a.toml", "--results", "shaft.d = 2*shaft.tau_max"});
     CHECK(other.code == 2);
-    CHECK_MESSAGE(contains(other.error, "'shaft.d' is an input that the sweep goes through"), other.error);
+    CHECK_MESSAGE(contains(other.error, "'shaft.d' is an input that the sweep varies"), other.error);
   }
 
   TEST_CASE("a project in which nothing varies is one point, and this is reported") {

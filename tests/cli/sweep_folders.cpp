@@ -54,11 +54,11 @@ TEST_SUITE("folders of sweeps" * by_case) {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     const std::string again = "$P sweep a.toml --samples 30000000 --no-columns --quiet --out busy";
-    refused(shell(desk, while_at_work(again)), " is at work on it");
+    refused(shell(desk, while_at_work(again)), " is using it");
     fs::remove_all(desk.folder() / "busy");
-    refused(shell(desk, while_at_work(again + " --resume")), " is at work on it");
+    refused(shell(desk, while_at_work(again + " --resume")), " is using it");
     fs::remove_all(desk.folder() / "busy");
-    refused(shell(desk, while_at_work(again + "2 --merge busy")), " is at work on it");
+    refused(shell(desk, while_at_work(again + "2 --merge busy")), " is using it");
     CHECK(!desk.has("busy2"));
   }
 

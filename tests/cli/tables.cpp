@@ -80,6 +80,6 @@ TEST_SUITE("cli tables") {
           "loadpath: a search is over all rows, and 'hea' would be one of them\n"
           "  = help: search the part: loadpath tables sections/hea\n");
     CHECK(loadpath_with({"tables", "sections", "HEB 200", "--where", "h > 300 mm"}).code == 2);
-    CHECK(contains(loadpath_with({"tables", "module", "--where", "m > 2 mm"}).error, "and 'module' is none"));
+    CHECK(contains(loadpath_with({"tables", "module", "--where", "m > 2 mm"}).error, "and 'module' is not a table"));
   }
 }

@@ -84,6 +84,16 @@ TEST_SUITE("cli wrong words") {
     }
   }
 
+  TEST_CASE("misspelt keys of steps and ranges, a list of one value and a far too high utilisation") {
+    const auto ran = [](const std::string& text) { return Desk().run({"run", "-"}, text); };
+    const std::string shaft = "[a]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\n";
+    CHECK(contains(ran("[a]\ncalculater = \"shaft.torsion\"\n").error, "2:1: error: 'calculater' is not a valid key"));
+    CHECK(contains(ran(shaft + "T = [\"5 N*m\"]\n").error, "this is a list; a single value is required"));
+    CHECK(contains(ran(shaft + "T = { form = \"5 N*m\", to = \"6 N*m\", count = 3 }\n").error, "did you mean 'from'?"));
+    CHECK(contains(ran(shaft + "T = \"5 N*m\"\nd = \"30 nm\"\n").out, "  3.144e16 "));
+    CHECK(contains(ran(shaft + "T = \"5 N*m\"\nd = \"30 mn\"\n").error, "did you mean 'mm'?"));
+  }
+
   TEST_CASE("a wrong key of a file is reported with the similar ones and their meanings") {
     CHECK(with_key("d_bor").code == 2);
     CHECK(contains(with_key("d_bor").error, "did you mean 'd_bore' ("));

@@ -131,7 +131,7 @@ sigma_adm = "60 MPa"
       return render(issues, [&](const std::string&) { return text; });
     };
     const std::string mixed = faults("F = \"=chain.F_W\"\nT = \"=train.T_out\"\n");
-    CHECK_MESSAGE(mixed.find("'F' holds chain.K_A = 1.4, and 'T' does not") != std::string::npos, mixed);
+    CHECK_MESSAGE(mixed.find("'F' includes chain.K_A = 1.4, and 'T' does not") != std::string::npos, mixed);
     CHECK(faults("load = \"=chain.shaft_1\"\n") == "");
     CHECK(faults("F = \"=chain.F_W\"\nT = \"=chain.K_A*train.T_out\"\n") == "");
   }

@@ -46,7 +46,7 @@ TEST_SUITE("found load path") {
         "[rod]\ncalculator = \"column.buckling\"\nd = \"20 mm\"\nl = \"1.2 m\"\nends = \"pinned_pinned\"\nE = \"210 "
         "GPa\"\n"
         "R_e = \"355 MPa\"\nmethod = \"johnson\"\nn_st = 3\nn_t = 2\nlambda_max = 300\nN = \"=";
-    CHECK(contains(Solved(lifted(rising, "") + rod + "m.cylinders.C1.F\"\n").errors(), "the sign of 'N' decides"));
+    CHECK(contains(Solved(lifted(rising, "") + rod + "m.cylinders.C1.F\"\n").errors(), "the sign of 'N' matters"));
     const Solved pushed(lifted(rising, "") + rod + "-m.cylinders.C1.F\"\n");
     REQUIRE_MESSAGE(pushed.errors().empty(), pushed.errors());
     CHECK(pushed.mode("rod.buckling").state == State::fail);

@@ -77,7 +77,7 @@ void check_told(const project::Project& project, const std::string& warning) {
 
 TEST_SUITE("found project") {
   TEST_CASE("A4: the peak of a signed force is not a valid force of a bar") {
-    CHECK(contains(refusal(engine + bar + "N = \"=peak(m.links.rod.N)\"\n"), "the sign of 'N' decides"));
+    CHECK(contains(refusal(engine + bar + "N = \"=peak(m.links.rod.N)\"\n"), "the sign of 'N' matters"));
     CHECK(refusal(engine + bar + "N = \"=min(m.links.rod.N)\"\n").empty());
     const project::Project project = solved_as_found(engine + bar + "N = \"=min(m.links.rod.N)\"\n");
     CHECK(project.value("rod.u")->si[0] > 0.0);

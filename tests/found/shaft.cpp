@@ -197,7 +197,7 @@ TEST_SUITE("found groove") {
     };
     CHECK(fault("r = \"5 mm\", h = \"2 mm\"").empty());  // as high as the step
     CHECK(fault("r = \"6 mm\"").empty());                // an arc that ends in an edge, as charts have it
-    CHECK(fault("r = \"6 mm\", h = \"2 mm\"").find("rounder than the step") != std::string::npos);
+    CHECK(fault("r = \"6 mm\", h = \"2 mm\"").find("exceeds the step height") != std::string::npos);
     CHECK(fault("r = \"360 mm\"").empty());  // sqrt(5 (720 - 5)) = 59.8 mm of the piece's 60
     CHECK(fault("r = \"365 mm\"").find("along a piece of 60 mm") != std::string::npos);
   }

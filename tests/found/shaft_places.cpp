@@ -162,10 +162,10 @@ TEST_SUITE("found places on shafts") {
                       thin = R"({ l = "300 mm", d = "32 mm", d_bore = "18 mm" })";
     refuses_shaft(keyed_shaft("x = \"55 mm\", kind = \"keyway\"", hollow), "give the keyway depth t");
     refuses_shaft(keyed_shaft("x = \"55 mm\", part = \"=key.notch\"", hollow), "cuts through the wall of 3 mm");
-    refuses_shaft(keyed_shaft("x = \"55 mm\", part = \"=key.notch\"", thin), "2 mm of wall are left");
+    refuses_shaft(keyed_shaft("x = \"55 mm\", part = \"=key.notch\"", thin), "2 mm of wall remains");
     CHECK(Solved(keyed_shaft("x = \"55 mm\", part = \"=key.notch\"", thick)).errors().empty());
     refuses_shaft(keyed_shaft("x = \"55 mm\", kind = \"beta\", beta_b = 2, beta_t = 2, t = \"4 mm\"", hollow),
-                  "3 mm of wall are left");
+                  "3 mm of wall remains");
     CHECK_FALSE(ExampleStep("shaft.key", "d_bore = \"40 mm\"").fault().empty());
     CHECK(mode_with("shaft.key", "d_bore = \"30 mm\"", "bore") == "not-covered");
     CHECK(mode_with("shaft.key", "d_bore = \"20 mm\"", "bore") == "pass");

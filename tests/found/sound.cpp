@@ -116,7 +116,8 @@ TEST_SUITE("found sound designs") {
   TEST_CASE("a factor that a step both takes and shows is that factor") {
     CHECK(first_error_of(stub_with("=belts.K_A*900 N")) == "");
     CHECK(first_error_of(stub_with("=belts.shaft_2.F")) == "");
-    CHECK(contains(first_error_of(stub_with("=belts.n_1*6 N/(1 rpm)")), "'T' holds belts.K_A = 1.2, and 'F' does not"));
+    CHECK(contains(first_error_of(stub_with("=belts.n_1*6 N/(1 rpm)")),
+                   "'T' includes belts.K_A = 1.2, and 'F' does not"));
     CHECK(contains(first_error_of(stub_with("=belts.K_A*belts.shaft_2.F")), "K_A would be applied twice"));
   }
 

@@ -56,9 +56,9 @@ TEST_SUITE("found tables") {
     CHECK(answer("material", "45") == "Steel 45");
     CHECK(answer("material", "17Mn4") == "P295GH");
     CHECK(answer("material", "Ст3") ==
-          "no material 'Ст3' in the tables | 'St3sp' comes close and is not the same: name it if it will do");
+          "no material 'Ст3' in the tables | 'St3sp' is similar, but not the same: name it if it is suitable");
     CHECK(answer("material", "SA-516 Gr. 70")
-              .ends_with("'P355GH' comes close and is not the same: name it if it will do"));
+              .ends_with("'P355GH' is similar, but not the same: name it if it is suitable"));
   }
 
   TEST_CASE("C4: the nearest name is that of the nearest size of the same series") {

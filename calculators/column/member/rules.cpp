@@ -262,7 +262,7 @@ FieldFault gap_of_set(const Member& in) {
   return {"",
           say("at its published limit {1} the set is {2} % {3} Euler's hyperbola", format_number(in.lambda_1, 4),
               format_number(std::abs(gap), 2), gap > 0.0 ? "above" : "below"),
-          say("transition = \"computed\" goes over where the two meet; textbooks go over at the limit")};
+          say("transition = \"computed\" changes over where the two meet; textbooks change over at the limit")};
 }
 
 bool set_fits_modulus(const Member& in) {
@@ -289,7 +289,7 @@ bool usual_safety(const Member& in) {
 FieldFault unusual_safety(const Member& in) {
   const Custom custom = custom_of(in.material_class);
   return {"n_st", say("n_st = {1} is unusual for this class of material", format_number(in.n_st)),
-          say("{1} to {2} is the custom", format_number(custom.least), format_number(custom.most))};
+          say("{1} to {2} is usual", format_number(custom.least), format_number(custom.most))};
 }
 
 }  // namespace loadpath::column

@@ -32,10 +32,10 @@ FieldFault gap_of(const LawOfAngle& one, const Law& law, double period) {
   if (!gap) return {};
   const std::string place = format_quantity(gap.from, deg.symbol, 4);
   if (gap.from < gap.to)
-    return {one.key, say("near phi = {1} the formula leaps, or turns too fast to be followed", place),
-            say("it has a pole there, or too many waves in the period; give a leap of the load by points")};
+    return {one.key, say("near phi = {1} the formula jumps, or varies too fast to be followed", place),
+            say("it has a pole there, or too many waves in the period; give a jump of the load by points")};
   return {one.key, say("the formula has no value at phi = {1}", place),
-          say("it divides by zero there, or takes a root or an arc of what has none")};
+          say("it divides by zero there, or takes a root or an arc function outside its range")};
 }
 
 FieldFault repetition_of(const LawOfAngle& one, const Law& law, double period) {
@@ -44,7 +44,7 @@ FieldFault repetition_of(const LawOfAngle& one, const Law& law, double period) {
   const auto value = [&](double si) { return format_quantity(si, one.unit, 4); };
   const std::string length = format_quantity(period, deg.symbol, 5);
   return {one.key,
-          found->leaps ? say("the formula does not repeat after {1}: it leaps there from {2} to {3}", length,
+          found->leaps ? say("the formula does not repeat after {1}: it jumps there from {2} to {3}", length,
                              value(found->here), value(found->later))
                        : say("the formula does not repeat after {1}: it is {2} at {3}, and {4} a period later", length,
                              value(found->here), format_quantity(found->phi, deg.symbol, 4), value(found->later)),

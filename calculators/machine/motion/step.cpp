@@ -96,7 +96,7 @@ bool MotionStep::fill(const project::Operand& operand, const Value& series, std:
                   say("let the crank make full revolutions"));
   const Axis& axis = *series.signature.axis;
   if (series.si.size() > Motion::most_samples)
-    return refuse(say("the cycle has {1} positions, and at most {2} are taken", std::to_string(series.si.size()),
+    return refuse(say("the cycle has {1} positions, and at most {2} are accepted", std::to_string(series.si.size()),
                       std::to_string(Motion::most_samples)));
   if (std::ranges::any_of(series.si, [](double value) { return std::isnan(value); }))
     return refuse(say("{1} is not known at every position of the cycle", operand.path));

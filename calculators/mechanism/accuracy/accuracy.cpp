@@ -267,10 +267,10 @@ void show(const Solved& solved, const Results&, std::vector<account::Block>& blo
 void check_closing(const Mechanism::Input& in, const mechanism::Model& model, const mechanism::Structure& structure,
                    std::vector<FieldFault>& faults) {
   if (structure.redundant.empty() || in.accuracy.empty()) return;
-  faults.push_back({"accuracy",
-                    say("errors are not covered where joints hold too much: with other dimensions they would "
-                        "not close"),
-                    say("leave out what repeats the others: {1}", names_of(model.joints, structure.redundant[0]))});
+  faults.push_back(
+      {"accuracy",
+       say("errors are not covered with redundant constraints: with other dimensions the joints would not close"),
+       say("leave out what repeats the others: {1}", names_of(model.joints, structure.redundant[0]))});
 }
 
 bool is_asked(const Mechanism::Input& in, const mechanism::Structure&) { return !in.accuracy.empty(); }

@@ -262,7 +262,7 @@ void check_half_widths(const Mechanism::Input& in, const mechanism::Model&, std:
     if (!own || is_set(t.t_part) || half.si < std::abs(*own)) continue;
     faults.push_back(
         {path_of("tolerances", t.name, is_set(t.t_mass) ? "t_mass" : "t"),
-         say("the tolerance '{1}', {2}, is not smaller than the {3} that it is of, {4}", t.name.view(),
+         say("the tolerance '{1}', {2}, is not smaller than its {3}, {4}", t.name.view(),
              format_quantity(half.si, half.unit), word_of(t.of), format_quantity(std::abs(*own), half.unit)),
          say("the half width must be smaller; check its unit")});
   }

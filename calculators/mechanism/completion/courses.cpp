@@ -113,11 +113,12 @@ class CourseCheck {
     const auto& at = in_.crank.at;
     if (by_time(course) && at.size() > 1 && in_si(at[1].angle - at[0].angle) * speed < 0.0)
       add(course, "",
-          say("'{1}' goes by the time, and the crank turns against the order of its positions", course.name.view()),
+          say("'{1}' is a function of time, and the crank turns against the order of its positions",
+              course.name.view()),
           say("give 'at' in the order in which the crank comes by"));
     if (by_stroke(course)) return check_stroke(course);
     if (!course.stroke_of.empty())
-      add(course, "stroke_of", say("'{1}' does not go by a stroke", course.name.view()), say("leave it out"));
+      add(course, "stroke_of", say("'{1}' is not a function of a stroke", course.name.view()), say("leave it out"));
   }
 
   void check_stroke(const Course& course) {
@@ -136,7 +137,7 @@ class CourseCheck {
   void check_taken(const Course& course) {
     const auto takes = [&](const planar::Load& load) { return load.course == course.name; };
     if (std::none_of(in_.loads.begin(), in_.loads.end(), takes))
-      add(course, "", say("no load goes by the course '{1}'", course.name.view()),
+      add(course, "", say("no load follows the course '{1}'", course.name.view()),
           say("write course = \"{1}\" in a load or a cylinder, or leave it out", course.name.view()));
   }
 

@@ -52,7 +52,7 @@ class CylinderCheck {
                  say("add links = [\"ground\", \"boom\"] and points = [\"O\", \"A\"]"));
     faults_.require_joint(c.joint, path_of("cylinders", c.name, "joint"));
     if (is_set(c.F))
-      add(c, "F", say("'F' is of a cylinder between two points, and '{1}' drives a joint", c.name.view()),
+      add(c, "F", say("'F' belongs to a cylinder between two points, and '{1}' drives a joint", c.name.view()),
           say("give the force as a load on its link, and leave the drive out"));
   }
 
@@ -83,17 +83,17 @@ class CylinderCheck {
   void check_name(const Cylinder& c) {
     constexpr std::size_t longest = Name::capacity - std::string_view("_barrel").size();
     if (c.name.view().size() > longest)
-      add(c, "", say("the name '{1}' is too long for the parts that are called after it", c.name.view()),
+      add(c, "", say("the name '{1}' is too long for the parts that are named after it", c.name.view()),
           say("at most {1} letters", std::to_string(longest)));
     for (const char* const part : {"barrel", "rod"}) {
       if (find_named(in_.links, part_of(c, part)) != nullptr)
-        add(c, "", say("the cylinder brings its own link '{1}', and there is one", part_of(c, part).view()),
-            say("call that link otherwise"));
+        add(c, "", say("the cylinder adds its own link '{1}', and there is already one", part_of(c, part).view()),
+            say("give that link another name"));
     }
     for (const char* const part : {"foot", "eye", "bore"}) {
       if (find_named(in_.joints, part_of(c, part)) != nullptr)
-        add(c, "", say("the cylinder brings its own joint '{1}', and there is one", part_of(c, part).view()),
-            say("call that joint otherwise"));
+        add(c, "", say("the cylinder adds its own joint '{1}', and there is already one", part_of(c, part).view()),
+            say("give that joint another name"));
     }
   }
 

@@ -20,7 +20,7 @@ class IdleFields {
     check_senses();
     const bool crank = !in_.crank.joint.empty();
     if (crank && typed_("positions"))
-      add("positions", say("'positions' is of strokes of cylinders, and a crank drives"),
+      add("positions", say("'positions' belongs to strokes of cylinders, and a crank drives"),
           say("give the positions of a revolution in the crank: crank = { positions = 72 }"));
     for (const planar::Cylinder& cylinder : in_.cylinders) check_motion(cylinder);
     if (!crank && !has_law(in_)) check_strokes();
@@ -61,8 +61,8 @@ class IdleFields {
           typed_(path + ".law") || typed_(path + ".angle_of_t") || typed_(path + ".place_of_t");  // see the law
       if (drive.impending == planar::Impending::either || !some_move || follows_law) return;
       add(path + ".impending",
-          moves(drive) ? say("'impending' is of a drive that rests, and '{1}' has a speed", path)
-                       : say("'impending' is of a mechanism that rests, and another drive moves"),
+          moves(drive) ? say("'impending' belongs to a drive at rest, and '{1}' has a speed", path)
+                       : say("'impending' belongs to a mechanism at rest, and another drive moves"),
           say("leave out one of the two"));
     };
     check(in_.crank, "crank");
@@ -86,7 +86,8 @@ class IdleFields {
     const bool several = in_.positions > 1;
     if (several && !in_.cylinders.empty() && !is_set(in_.cylinders.front().to))
       add("positions",
-          say("'positions' is of a stroke, and the cylinder '{1}' has no end of it", text(in_.cylinders.front().name)),
+          say("'positions' divides a stroke, and the cylinder '{1}' has no end position",
+              text(in_.cylinders.front().name)),
           say("add 'to', the end position"));
     for (const auto& cylinder : in_.cylinders) {
       if (several || !is_set(cylinder.to)) continue;

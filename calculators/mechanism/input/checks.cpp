@@ -174,7 +174,7 @@ void check_lengths(const Mechanism::Input& in, const mechanism::Model& model, do
     faults.push_back({path_of("links", name, "points"),
                       say("points {1} and {2} of '{3}' coincide: it moves nothing", pins[0].first.view(),
                           pins[1].first.view(), name.view()),
-                      say("lay them apart, or join its neighbours by one pin and leave '{1}' out", name.view())});
+                      say("move them apart, or join its neighbours by one pin and leave '{1}' out", name.view())});
   }
 }
 

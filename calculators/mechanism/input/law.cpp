@@ -74,12 +74,12 @@ class LawCheck {
       return add(formula, say("'law' and '{1}' both define the motion of the drive", formula_key(drive)),
                  say("leave out one of the two"));
     if (drive.law.empty() && drive.law_shape != planar::LawShape::spline)
-      add(path + ".law_shape", say("'law_shape' is of a law by points, and there is none"), say("leave it out"));
+      add(path + ".law_shape", say("'law_shape' belongs to a law by points, and there is none"), say("leave it out"));
     if (formula_of(drive).empty() && is_set(drive.duration))
       add(path + ".duration", say("'duration' belongs to a formula, and '{1}' is missing", formula_key(drive)),
           say("leave it out, or add the formula"));
     if (follows_law(drive) && drive.impending != planar::Impending::either)
-      add(path + ".impending", say("'impending' is of a drive that rests, and this one follows a law"),
+      add(path + ".impending", say("'impending' belongs to a drive at rest, and this one follows a law"),
           say("leave it out"));
     if (!drive.law.empty()) check_points(drive, path + ".law");
     if (!formula_of(drive).empty()) check_formula(drive, formula, positions);
@@ -105,7 +105,8 @@ class LawCheck {
   template <class Drive>
   void check_points(const Drive& drive, const std::string& path) {
     if (drive.law.size() == 1)
-      add(path, say("a law of motion has two moments or more"), say("write law = [[\"0 s\", ...], [\"1 s\", ...]]"));
+      add(path, say("a law of motion needs at least two instants"),
+          say("write law = [[\"0 s\", ...], [\"1 s\", ...]]"));
     const auto late = [](const auto& a, const auto& b) { return !(b.t > a.t); };
     if (std::adjacent_find(drive.law.begin(), drive.law.end(), late) != drive.law.end())
       add(path, say("the times of a law must increase"));
@@ -122,7 +123,7 @@ class LawCheck {
       const numerics::Jet at = law->at(t);
       if (std::isfinite(at.value) && std::isfinite(at.first) && std::isfinite(at.second)) continue;
       return add(path, say("the law has no position, speed or acceleration at t = {1}", format_quantity(t, "s", 4)),
-                 say("it divides by zero there, or takes a root or an arc of what has none"));
+                 say("it divides by zero there, or takes a root or an arc function outside its range"));
     }
   }
 

@@ -108,7 +108,7 @@ std::vector<FieldFault> check_shares(const Mechanism::Input& in) {
     }
     if (over[over.size() - 1].angle - over[0].angle > 2.0 * pi * in.crank.turns * (1.0 + 1e-12))
       faults.push_back(
-          {path_of(in.loads[k], k) + ".over", say("the crank angles of 'over' reach round more than one cycle"), {}});
+          {path_of(in.loads[k], k) + ".over", say("the crank angles of 'over' cover more than one cycle"), {}});
   }
   return faults;
 }

@@ -143,7 +143,8 @@ class ValueCheck {
           say("change an angle, or add a dwell"));
     }
     if (std::abs(rise) > 1e-9 * size) {
-      add("segments", say("after a turn the follower is {1} off where it was", format_quantity(rise, unit, 5)),
+      add("segments",
+          say("after a revolution the follower is {1} away from where it started", format_quantity(rise, unit, 5)),
           say("total rise and total fall must be equal"));
     } else if (least < -1e-9 * size) {
       add("segments",

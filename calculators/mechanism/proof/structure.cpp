@@ -51,10 +51,9 @@ Message kind_of(const mechanism::Group& group) {
 }
 
 Table structure_table(const mechanism::Model& model, bool released) {
-  Table table{released
-                  ? say("Structure, without what joints hold too much: groups in order of attachment, 3 n = 2 p5 + "
-                        "p4 + drives")
-                  : say("Structural (Assur) groups in order of assembly, 3 n = 2 p5 + p4 + drives"),
+  Table table{released ? say("Structure without redundant constraints: groups in order of attachment, 3 n = 2 p5 + "
+                             "p4 + drives")
+                       : say("Structural (Assur) groups in order of assembly, 3 n = 2 p5 + p4 + drives"),
               {say("links"), say("joints"), say("kind"), say("count")},
               {}};
   for (const mechanism::Group& group : mechanism::groups(model)) {

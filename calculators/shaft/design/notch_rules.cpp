@@ -28,7 +28,7 @@ Message fault_of_fields(const Notched& notch) {
   if (!cuts && is_set(notch.t)) return say("t is the depth of a groove, a keyway or splines");
   if (is_set(notch.l) && !is_keyed(kind)) return say("l is the length of a key");
   if ((kind == Kind::rectangular_groove) != is_set(notch.w))
-    return say("a rectangular groove has a width w, and nothing else has");
+    return say("a rectangular groove has a width w, and no other notch has");
   if ((kind == Kind::given) != is_set(notch.K_t) || is_set(notch.K_t) != is_set(notch.K_ts))
     return say("K_t and K_ts are given together, only with kind = \"given\"");
   if ((kind == Kind::beta) != is_set(notch.beta_b) || is_set(notch.beta_b) != is_set(notch.beta_t))
@@ -37,7 +37,7 @@ Message fault_of_fields(const Notched& notch) {
   if (is_keyed(kind) && is_set(notch.r))
     return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give kind = \"given\", K_t and K_ts");
   if (const bool rootless = kind == Kind::v_groove || kind == Kind::press_fit; rootless && is_set(notch.r))
-    return say("its notch factor is of no radius: leave out r");
+    return say("its notch factor does not depend on a radius: leave out r");
   if (kind == Kind::given && notch.K_t > 1.0 && !is_set(notch.r))
     return say("a given notch needs the radius r of its root, for the sensitivity to it");
   return {};
@@ -47,7 +47,7 @@ Message fault_of_fields(const Notched& notch) {
 Message fault_of_width(const Input& in, const Notched& notch) {
   if (!is_set(notch.w)) return {};
   if (notch.r > notch.t || notch.r > notch.w / 2.0)
-    return say("its root is rounder than the groove is deep, or half as wide");
+    return say("its root radius exceeds the depth of the groove, or half its width");
   const Length from = notch.x - notch.w / 2.0, to = notch.x + notch.w / 2.0, aside = 10.0 * one_place * length_of(in);
   if (from < 0.0 * mm || is_off(in, to) || index_of_piece(in, from + aside) != index_of_piece(in, to - aside))
     return say("a groove of {1} does not lie within its piece at {2}", format(notch.w), format(notch.x));
@@ -63,7 +63,7 @@ Message fault_of_width(const Input& in, const Notched& notch) {
 Message fault_of_fillet(const Notched& notch, const Around& there) {
   const Length high = (there.sides.larger() - there.sides.thinner().d) / 2.0, r = notch.r;
   if (is_set(notch.h) && r > high)
-    return say("its fillet of {1} is rounder than the step of {2} is high: nothing finds a face there", format(r),
+    return say("its fillet radius {1} exceeds the step height {2}: no face remains for an abutting part", format(r),
                format(high));
   const Length run = r > high ? sqrt(high * (2.0 * r - high)) : r;
   const Length room = there.sides.left.d < there.sides.right.d ? there.before.l : there.after.l;
@@ -156,7 +156,7 @@ Message fault_of_wall(const Input& in, const Notched& notch, const Around& there
     return say("a keyway of {1} cuts through the wall of {2} at {3}", format(notch.t), format(wall), format(notch.x));
   if (left < notch.t)
     return say(
-        "{1} of wall are left under a depth of {2} at {3}: no factor is given for so thin a wall: "
+        "{1} of wall remains under a depth of {2} at {3}: no factor is given for so thin a wall: "
         "give K_t, K_ts and r",
         format(left), format(notch.t), format(notch.x));
   return {};
@@ -258,7 +258,8 @@ Message fault_of_meeting(const Input& in, const Notched& notch, const Around& th
   if (at_edge && !typed)
     return say("at {1} a taper begins: a notch of both has kind = \"given\", K_t and K_ts", format(notch.x));
   if (typed && at_step) return fault_of_typed_step(in, notch, there);
-  if (notch.kind == Notch::beta && is_set(notch.r)) return say("its notch factor is of no radius: leave out r");
+  if (notch.kind == Notch::beta && is_set(notch.r))
+    return say("its notch factor does not depend on a radius: leave out r");
   return {};
 }
 
@@ -269,7 +270,7 @@ Message fault_of(const Input& in, const Notched& notch) {
   const Around there = around(in, notch.x);
   const Length d = there.sides.right.d;
   if (!typed && !is_keyed(notch.kind) && is_bored(in, notch.x))
-    return say("the charts are of solid shafts: of a bored one give kind = \"given\", K_t and K_ts");
+    return say("the charts are for solid shafts: for a bored one give kind = \"given\", K_t and K_ts");
   if (is_groove(notch.kind) && !(2.0 * notch.t < d)) return say("the groove is deeper than the shaft");
   if (Message fault = fault_of_width(in, notch); !fault.empty()) return fault;
   if (notch.kind == Notch::cross_hole && !(notch.r < 0.29 * d)) return say("the hole must be smaller than the section");

@@ -49,7 +49,7 @@ Locked lock(int file, int how) {
 
 Fault at_work(const fs::path& folder, int file) {
   const std::string name = name_in(file);
-  Message who = name.empty() ? say("another process is at work on it") : say("process {1} is at work on it", name);
+  Message who = name.empty() ? say("another process is using it") : say("process {1} is using it", name);
   return {0, 1, say("'{1}': {2}", folder.string(), std::move(who)), say("wait for it, or name another folder")};
 }
 

@@ -44,8 +44,8 @@ std::vector<const SweepStore*> SweepStore::chain_of(const std::vector<SweepStore
     if (own.first > last->first) next = std::min(next, own.first);
     if (own.first != last->first || shard.left().count() == 0) continue;
     const std::uint64_t left = shard.points_until(own.last) - shard.points_until(shard.next_);
-    missing = refused(shard.folder_, say("it is not done: {1} points are left", std::to_string(left)),
-                      say("go on with it: --resume"));
+    missing = refused(shard.folder_, say("it is not finished: {1} points are left", std::to_string(left)),
+                      say("continue it: --resume"));
     return {};
   }
   const std::string gap = points_of({last->first, next}, points);

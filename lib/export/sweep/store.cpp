@@ -66,7 +66,7 @@ Message difference(std::string_view there, std::string_view here) {
     if (theirs != ours)
       return say("'{1}' there, '{2}' here", std::string(theirs.substr(0, width)), std::string(ours.substr(0, width)));
   }
-  return say("one ends where the other goes on");
+  return say("one ends where the other continues");
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& 
 Outcome<SweepStore> SweepStore::resume(const fs::path& folder, const SweepPlan& plan, const StoredSweep& sweep,
                                        SweepStatistics none) {
   const auto none_there = [&] {
-    return refused(folder, say("no sweep in this folder"), say("begin it without --resume"));
+    return refused(folder, say("no sweep in this folder"), say("start it without --resume"));
   };
   std::error_code error;
   const auto has_state = [&] { return fs::exists(folder / state_name, error); };
@@ -162,16 +162,16 @@ Outcome<SweepStore> SweepStore::resume(const fs::path& folder, const SweepPlan& 
   }
   const std::string bytes = store.read_state(wrong);
   if (wrong.empty()) wrong = store.load(bytes);
-  if (!wrong.empty()) return refused(folder, std::move(wrong), say("begin in another folder"));
+  if (!wrong.empty()) return refused(folder, std::move(wrong), say("start in another folder"));
   const BlockRange there = store.sweep_.blocks, asked = sweep.blocks;
   if (there.first != asked.first || there.last != asked.last) {
     const std::string points = points_of(there, store.points_);
     return refused(folder, say("it is another share: points {1}, not {2}", points, points_of(asked, store.points_)),
-                   say("go on with it: --shard {1}; or name another folder", points));
+                   say("continue it: --shard {1}; or name another folder", points));
   }
   wrong = store.open_columns(store.points_until(store.next_));
   if (wrong.empty()) wrong = store.check_columns();
-  if (!wrong.empty()) return Fault{0, 1, std::move(wrong), say("begin in another folder")};
+  if (!wrong.empty()) return Fault{0, 1, std::move(wrong), say("start in another folder")};
   return store;
 }
 

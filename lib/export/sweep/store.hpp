@@ -42,7 +42,7 @@ class SweepStore {
  public:
   SweepStore() = default;
   /// A new folder, or one in which a sweep was killed before it had a state; a Fault if there is something else in
-  /// it, another process is at work on it, or it cannot be written.
+  /// it, another process is using it, or it cannot be written.
   static Outcome<SweepStore> create(const std::filesystem::path& folder, const SweepPlan& plan, StoredSweep sweep,
                                     SweepStatistics none);
   /// Opens an existing folder of the same sweep: a Fault if it is another's, or damaged. Its columns are read back.

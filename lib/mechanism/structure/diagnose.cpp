@@ -156,8 +156,7 @@ Finding not_fitting(const Model& model, const Misfit& misfit) {
   }
   Message message =
       joint.kind == JointKind::belt
-          ? say("the wheels of the belt '{1}' lie in one another: {2} from centre to centre, and that must be more "
-                "than {3}",
+          ? say("the wheels of the belt '{1}' overlap: the centre distance is {2} and must be more than {3}",
                 joint.name, apart, needed)
           : say("the centre distance of '{1}' is {2}, but the radii require {3}", joint.name, apart, needed);
   return {Finding::About::joint, misfit.joint, std::move(message), say("move a centre, or change a radius")};
@@ -169,12 +168,12 @@ Finding parting(const Model& model, std::size_t index) {
     return {Finding::About::joint, index,
             say("the belt '{1}' keeps its length, and the distance of its centres changes as the mechanism moves",
                 joint.name),
-            say("hold both centres on one link; a tensioner is a wheel on a link of its own with a second belt")};
+            say("keep both centres on one link; a tensioner is a wheel on a link of its own with a second belt")};
   }
   return {Finding::About::joint, index,
           say("the teeth of '{1}' do not stay in mesh: the distance of its centres changes as the mechanism moves",
               joint.name),
-          say("hold the distance by other joints: both centres on one link, or a slide along the rack")};
+          say("fix the distance by other joints: both centres on one link, or a slide along the rack")};
 }
 
 std::vector<Finding> about_mobility(const Model& model, const Structure& structure) {
@@ -212,9 +211,10 @@ std::vector<SharedFreedoms> shared_freedoms(const Structure& structure) {
 }
 
 Message too_many(const Model& model, const std::vector<std::size_t>& joints, std::size_t freedoms) {
-  return freedoms == 1 ? say("the joints {1} together hold one freedom too many", names_of(model.joints, joints))
-                       : say("the joints {1} together hold {2} freedoms too many", names_of(model.joints, joints),
-                             std::to_string(freedoms));
+  return freedoms == 1
+             ? say("the joints {1} together constrain one degree of freedom too many", names_of(model.joints, joints))
+             : say("the joints {1} together constrain {2} degrees of freedom too many", names_of(model.joints, joints),
+                   std::to_string(freedoms));
 }
 
 std::vector<Finding> diagnose(const Model& model, Structure& structure) {

@@ -242,7 +242,7 @@ void PartChecks::check_ends(std::size_t k, const Spring& spring) {
   }
   if (std::ranges::find(place, End{spring.j, spring.point_j}) == place.end()) return;
   add(About::spring, k, say("both ends of spring '{1}' are in one place: it has no direction to act in", spring.name),
-      say("lay its ends at points that move apart; a spring that turns about a pin has k_turn, c_turn"));
+      say("attach its ends to points that move apart; a spring that turns about a pin has k_turn, c_turn"));
 }
 
 void PartChecks::check_connected() {

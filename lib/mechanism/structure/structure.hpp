@@ -59,7 +59,7 @@ struct SharedFreedoms {
   std::size_t freedoms = 0;
 };
 std::vector<SharedFreedoms> shared_freedoms(const Structure& structure);
-/// "the joints 'A', 'B' together hold one freedom too many"
+/// "the joints 'A', 'B' together constrain one degree of freedom too many"
 Message too_many(const Model& model, const std::vector<std::size_t>& joints, std::size_t freedoms);
 
 inline std::string link_name(const Model& model, int link) {

@@ -225,7 +225,7 @@ std::string layout_of(std::string_view text, const std::string& file, Calculator
   if (!has_errors(wrong) && say_the_same(tree, again)) return laid_out;
   issues.push_back({{file, 0, 0, 1},
                     "",
-                    say("its layout would change what it says, so it stays as it is"),
+                    say("formatting would change its meaning, so it is left unchanged"),
                     say("a table of a step belongs directly after it"),
                     Severity::error});
   return {};

@@ -26,9 +26,22 @@ constexpr std::array papers{"A4", "letter"};
 const std::vector<std::string> step_keys{"calculator", "template", "title",   "note",
                                          "display",    "accept",   "because", "body"};
 
+/// "calculater" of a step; null if no key resembles `calculator`.
+const Tree::Entry* misspelt_calculator(const Tree& step) {
+  const auto found = std::find_if(step.entries.begin(), step.entries.end(), [](const Tree::Entry& entry) {
+    return entry.value.type == Tree::Type::text && !nearest(entry.key, {"calculator"}).empty();
+  });
+  return found == step.entries.end() ? nullptr : &*found;
+}
+
 const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
   const auto* id = entry.value.find("calculator");
   if (id == nullptr) {
+    if (const Tree::Entry* const meant = misspelt_calculator(entry.value)) {
+      add_error(issues, meant->place, entry.key + "." + meant->key, say("'{1}' is not a valid key here", meant->key),
+                say("did you mean 'calculator'?"));
+      return nullptr;
+    }
     add_error(issues, entry.place, entry.key, say("the step '{1}' has no calculator", entry.key),
               did_you_mean(entry.key, {reserved.begin(), reserved.end()},
                            say("write calculator = \"{1}\"; `loadpath list` shows all",
@@ -238,7 +251,7 @@ bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
     add_error(issues, entry.place, entry.key, say("'{1}' is not a valid name of a step", entry.key),
               say("a name has Latin letters, digits and '_', and does not start with a digit"));
   } else if (is_reserved(entry.key)) {
-    add_error(issues, entry.place, entry.key, say("'{1}' is a word of the program and cannot name a step", entry.key),
+    add_error(issues, entry.place, entry.key, say("'{1}' is a reserved name and cannot name a step", entry.key),
               say("call it '{1}_1', or by the part that it describes", entry.key));
   } else if (entry.value.type == Tree::Type::array && !entry.value.items.empty() &&
              entry.value.items.front().type == Tree::Type::table) {

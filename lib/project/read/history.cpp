@@ -71,7 +71,7 @@ std::optional<Fault> contradiction(const Tree& table, const FieldInfo& field, st
   const auto here = unit == nullptr ? Outcome<UnitValue>(Fault{}) : parse_unit(unit->value.text);
   if (!there || !here || std::abs(here->factor / there->factor - 1.0) < 1e-12) return std::nullopt;
   return told(say("the heading is '{1}', and unit = \"{2}\"", heading, unit->value.text),
-              say("leave out unit; or, where the heading is wrong, say unit = \"1 {1}\"", unit->value.text));
+              say("leave out unit; or, where the heading is wrong, write unit = \"1 {1}\"", unit->value.text));
 }
 
 Outcome<rainflow::Form> form_of(const Tree& table) {
@@ -88,7 +88,8 @@ Outcome<rainflow::Form> form_of(const Tree& table) {
   } else if (by_name) {
     form.format = *by_name;
   } else if (path != "-") {
-    return told(say("the name '{1}' does not say what the file is", path), say("add form = \"csv\", npy, f64 or f32"));
+    return told(say("the name '{1}' does not show the format of the file", path),
+                say("add form = \"csv\", npy, f64 or f32"));
   }
   const auto place_in_file = [&](const char* key) -> std::string {
     const auto* const entry = table.find(key);
@@ -100,7 +101,7 @@ Outcome<rainflow::Form> form_of(const Tree& table) {
   if (!form.column.empty())
     return told(say("a series is a column or a row of the file, not both"), say("leave out one of column and row"));
   if (form.format != rainflow::Format::csv)
-    return told(say("a row is one of a text, and this is none"), say("leave out row"));
+    return told(say("'row' applies to text files, and this is not one"), say("leave out row"));
   return form;
 }
 
@@ -148,14 +149,15 @@ class Turns {
     if (!more) return more.fault();
     append(*more);
     if (values_.size() > most_turns)
-      return told(say("it turns more than {1} times", std::to_string(most_turns)), say("cut it, and count its parts"));
+      return told(say("it has more than {1} turning points", std::to_string(most_turns)),
+                  say("cut it, and count its parts"));
     return std::nullopt;
   }
   /// None where there is a history.
   std::optional<Fault> finish(const Message& what) {
     if (kept_ == Kept::turns) append(turning_points_.finish(next_values_.data(), next_at_.data()));
     if (samples() == 0) return told(say("{1} has no values", what), {});
-    if (samples() == 1) return told(say("{1} has one value, and a history two at least", what), {});
+    if (samples() == 1) return told(say("{1} has one value; a history needs at least two", what), {});
     return std::nullopt;
   }
   [[nodiscard]] std::vector<double>& values() { return values_; }

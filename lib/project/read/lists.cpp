@@ -14,7 +14,7 @@ constexpr std::size_t most_elements = 100'000;
 static Fault too_many(const FieldInfo& field, std::size_t count) {
   const bool bounded = field.capacity != no_bound;
   const std::size_t most = bounded ? field.capacity : most_elements;
-  return {0, 0, say("at most {1} {2}; here are {3}", std::to_string(most), field.key, std::to_string(count)),
+  return {0, 0, say("at most {1} {2}; there are {3}", std::to_string(most), field.key, std::to_string(count)),
           bounded ? Message{} : say("no list of a project has more")};
 }
 

@@ -164,7 +164,7 @@ bool Turning::are_written_out() {
   for (const Turn& turn : turns_) {
     for (const Tree& record : turn.records) {
       if (const Tree* wrong = not_written_out(record))
-        return refuse(wrong->place, turn, say("a value of a record in turn is written out"),
+        return refuse(wrong->place, turn, say("values of records taken in turn must be written out"),
                       say("let it be a range of its own, outside of these records"));
     }
   }
@@ -191,12 +191,12 @@ bool Turning::take(const Turn& turn, Reading& first) {
     const auto holds = [&](const auto& typed) { return other.typed.contains(typed.first); };
     if (!alike || first.typed.size() != other.typed.size() ||
         !std::all_of(first.typed.begin(), first.typed.end(), holds))
-      return refuse(turn.records[r].place, turn, say("records in turn have the same fields"),
+      return refuse(turn.records[r].place, turn, say("records taken in turn must have the same fields"),
                     say("give what the first of them gives, no more and no less"));
     if (const std::string text = other_text(first, other); !text.empty())
       return refuse(turn.records[r].place, turn,
                     say("'{1}' is a text, which does not change from point to point", text),
-                    say("records in turn differ in numbers and in words of a choice"));
+                    say("records taken in turn may differ only in numbers and choices"));
     for (std::size_t k = 0; k < numbers.size(); ++k) values[k].push_back(others[k].second.get());
   }
   bool differ = turn.records.size() == 1;

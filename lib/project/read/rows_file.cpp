@@ -135,7 +135,7 @@ std::optional<Tree> Rows::read(const std::string& text, Issue& wrong) {
   }
   if (!rows_.items.empty()) return std::move(rows_);
   refuse({path_, std::max(1, number_), 1, 1}, say("'{1}' has no rows", name()),
-         say("a heading with the fields, t [s], share; then a row a line"));
+         say("write a heading with the fields, t [s], share, then one row per line"));
   wrong = std::move(wrong_);
   return std::nullopt;
 }
@@ -169,10 +169,11 @@ bool Rows::choose(const std::vector<std::string>& cells) {
   for (std::size_t k = 0; k < cells.size(); ++k) {
     columns_[k].field = find_input(fields_, columns_[k].heading.name);
     if (columns_[k].field == nullptr)
-      return refuse(at(cells[k]), say("the heading '{1}' is not a valid key here", columns_[k].heading.name),
-                    say("the fields are {1}; cells are parted by commas, semicolons, tabs or blanks; columns = {...} "
-                        "says which column is which field",
-                        keys()));
+      return refuse(
+          at(cells[k]), say("the heading '{1}' is not a valid key here", columns_[k].heading.name),
+          say("the fields are {1}; cells are separated by commas, semicolons, tabs or blanks; columns = {...} "
+              "assigns columns to fields",
+              keys()));
   }
   return true;
 }
@@ -231,9 +232,9 @@ bool Rows::take_row() {
   const auto cells = rainflow::fields_of(line_, separator_);
   if (cells.size() != columns_.size())
     return refuse(at(),
-                  say("line {1} of '{2}' has not as many cells as its heading, {3}", std::to_string(number_), name(),
-                      std::to_string(columns_.size())),
-                  say("write a cell for each column, parted as in the heading"));
+                  say("line {1} of '{2}' does not have as many cells as its heading, {3}", std::to_string(number_),
+                      name(), std::to_string(columns_.size())),
+                  say("write a cell for each column, separated as in the heading"));
   if (rows_.items.empty() && !units_are_told(cells)) return false;
   Tree& row = rows_.items.emplace_back();
   row.place = at();
@@ -264,7 +265,7 @@ std::optional<Issue> fault_of_keys(const Tree& tree) {
     if (entry.key == "columns" && entry.value.type != Tree::Type::table)
       return issue_at(entry.value.place,
                       say("'columns' is a table of fields, not {1}", toml::word_for(entry.value.type)),
-                      say("say which column is which field: columns = { t = \"time\", p = 3 }"));
+                      say("assign columns to fields: columns = { t = \"time\", p = 3 }"));
   }
   return std::nullopt;
 }

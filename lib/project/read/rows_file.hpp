@@ -1,7 +1,7 @@
 // A list of a project whose rows are in a file next to it: over_time = { file = "pressure.csv" }.
 //
 // The first line names the fields, with their units in brackets: t [s], share; or columns = { t = "time", share = 3 }
-// says which column is which field, by its name or its number. Cells are parted by tabs, semicolons, commas or blanks;
+// assigns columns to fields, by its name or its number. Cells are parted by tabs, semicolons, commas or blanks;
 // where a comma does not part them it may stand for a decimal point. What follows a # is left out. An error is
 // reported once, with the line of the file.
 #pragma once

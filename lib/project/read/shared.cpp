@@ -121,7 +121,7 @@ void Values::settle(const std::string& name, std::vector<std::string>& path, std
   }
   if (path.size() > longest_way) {
     if (!std::exchange(too_many_, true))
-      issues.push_back({shared.tree.place, "values", say("values refer to one another too deep"),
+      issues.push_back({shared.tree.place, "values", say("the chain of references between values is too long"),
                         say("at most {1} deep", std::to_string(longest_way)), Severity::error});
     return path.pop_back();
   }
@@ -280,7 +280,7 @@ Outcome<Signature> Values::signature(const std::string& name) {
   if (found->second.expression || found->second.in_circle) return Fault{};  // written out, or reported
   if (!found->second.is_literal) read_several(name, found->second);
   if (const auto text = found->second.is_literal ? open_count(found->second.tree) : std::nullopt)
-    return Fault{0, name.size(), say("'{1}' is a speed in revolutions to some and a frequency to others", *text),
+    return Fault{0, name.size(), say("'{1}' is ambiguous: a speed of rotation or a frequency", *text),
                  say("write rpm for a speed of rotation")};
   if (found->second.is_literal) return found->second.literal.signature;
   if (const auto fault = fault_of(found->second.tree))

@@ -95,8 +95,15 @@ void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner,
   if (tree.find("each") != nullptr) return read_stock(tree, field, owner, path);
   if (is_grid(tree)) return read_grid_of(tree, field, owner, path);
   if (is_uncertain(tree)) return read_uncertain_of(tree, field, owner, path);
-  say_at(tree.place, path, say("a quantity is expected, not {1}", toml::word_for(tree.type)),
-         say("write a text with a unit, \"30 {1}\"", field.unit));
+  for (const Tree::Entry& entry : tree.entries) {
+    const std::string meant = nearest(entry.key, {"from", "to", "count", "step", "mean", "tolerance", "stock"});
+    if (meant.size() > 2 && meant != entry.key)
+      return say_at(entry.place, path, say("'{1}' is not a valid key here", entry.key),
+                    say("did you mean '{1}'?", meant));
+  }
+  say_at(
+      tree.place, path, say("a quantity is expected, not {1}", toml::word_for(tree.type)),
+      say("write a text with a unit, \"30 {1}\"; of several values { from = ..., to = ..., count = ... }", field.unit));
 }
 
 void Reader::refuse_others(const Tree& tree, const std::vector<std::string>& keys, const std::string& path) {
@@ -208,7 +215,7 @@ void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, co
                   say("a name has Latin letters, digits and '_', and does not start with a digit"));
   }
   if (tree.text.size() > Name::capacity)
-    return say_at(tree.place, path, say("the name '{1}' is longer than 31 letters", tree.text));
+    return say_at(tree.place, path, say("the name '{1}' is longer than 31 characters", tree.text));
   field.set_text(owner, tree.text);
 }
 
@@ -219,7 +226,7 @@ void Reader::read_formula(const Tree& tree, const FieldInfo& field, void* owner,
     return say_at(tree.place, path, say("a formula is expected, not {1}", toml::word_for(tree.type)),
                   say("write it as a text: \"20 mm*sin(t/(1 s))\""));
   if (tree.text.size() > field.capacity) {
-    return say_at(tree.place, path, say("the formula is longer than {1} letters", std::to_string(field.capacity)),
+    return say_at(tree.place, path, say("the formula is longer than {1} characters", std::to_string(field.capacity)),
                   say("shorten it"));
   }
   field.set_text(owner, std::string_view(tree.text).substr(tree.text.starts_with('=') ? 1 : 0));

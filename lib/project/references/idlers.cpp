@@ -34,10 +34,10 @@ void set(Step& step, const Found& found, std::vector<Issue>& issues) {
   const bool typed = step.input().reading.typed.contains("idler");
   if (typed && leaf.get() != static_cast<double>(number))
     return issues.push_back(issue_at(
-        step.input(), "idler", say("a gear of this pair is one of '{1}' too: reversed tooth bending", found.other),
+        step.input(), "idler", say("a gear of this pair also belongs to '{1}': reversed tooth bending", found.other),
         say("write idler = \"{1}\", or leave it out", word)));
   leaf.set(static_cast<double>(number));
-  step.remark(say("idler = {1}: that gear is one of '{2}' too", word, found.other));
+  step.remark(say("idler = {1}: that gear also belongs to '{2}'", word, found.other));
 }
 
 /// A number as far as it is known before the project is solved; NaN if it is not.

@@ -68,6 +68,9 @@ void find_varying_loads(Project& project, const Declared& declared) {
 }
 
 Issue taken_once(const Place& place, const std::string& key, std::size_t values) {
+  if (values == 1)
+    return {place, key, say("this is a list; a single value is required"), say("give the value by itself"),
+            Severity::error};
   return {place, key, say("these are {1} values; a single value is required", std::to_string(values)),
           say("`loadpath sweep` goes through all of them, `loadpath run FILE --point 0` takes the first"),
           Severity::error};
@@ -223,7 +226,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   if (tree.entries.size() > most_tables) {
     issues.push_back({tree.entries[most_tables].place,
                       "",
-                      say("a project has at most {1} tables; here are {2}", std::to_string(most_tables),
+                      say("a project has at most {1} tables; there are {2}", std::to_string(most_tables),
                           std::to_string(tree.entries.size())),
                       {},
                       Severity::error});

@@ -21,7 +21,8 @@ std::optional<Fault> wrong_name(const std::string& name, const std::string& text
     return fault(say("a result is a number, not a comparison"),
                  say("\"passes\" is 1 or 0; --such-that and --seek compare"));
   if (name != text && (name == "point" || name == "state" || name == "utilisation"))
-    return fault(say("'{1}' is a column of every sweep", name), say("name it otherwise: \"my_{1} = {2}\"", name, text));
+    return fault(say("'{1}' is a column of every sweep", name),
+                 say("give it another name: \"my_{1} = {2}\"", name, text));
   return std::nullopt;
 }
 

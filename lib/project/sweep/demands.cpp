@@ -120,7 +120,7 @@ void form(Demand& demand, const Place& place, Project& project, std::vector<Issu
   const auto less = read(demand.less), more = read(demand.more);
   if (!less || !more) return;
   if (less->dimension.without_angle() != more->dimension.without_angle()) {
-    issues.push_back(refusal(asked, say("both sides of '{1}' are of unlike dimensions", demand.text)));
+    issues.push_back(refusal(asked, say("both sides of '{1}' have different dimensions", demand.text)));
     return;
   }
   const auto at_most = parse_literal(demand.more), at_least = parse_literal(demand.less);

@@ -38,7 +38,7 @@ std::vector<Demand> demands_of(const std::vector<Placed>& such_that, const Named
                                std::vector<Issue>& issues);
 
 /// The column of a demand: of a comparison a number that is at most 1 where it holds, whatever the signs of its sides
-/// are. Issues if it cannot be read, or if its sides are of unlike dimensions.
+/// are. Issues if it cannot be read, or if its sides have different dimensions.
 void form(Demand& demand, const Place& place, Project& project, std::vector<Issue>& issues);
 
 /// A demand on a column of a sweep over all points. With scatter a design satisfies it if the share `quantile` of its

@@ -24,7 +24,7 @@ void check_name(const SweepPlan& plan, const SweptResult& column, const Place& p
     issues.push_back(refusal(place, "project.sweep", say("there are two results '{1}'", column.name),
                              say("name one of them: \"second = {1}\"", column.text)));
   if (column.text != column.name && input_named(plan.inputs, column.name) != plan.inputs.end())
-    issues.push_back(refusal(place, "project.sweep", say("'{1}' is an input that the sweep goes through", column.name),
+    issues.push_back(refusal(place, "project.sweep", say("'{1}' is an input that the sweep varies", column.name),
                              say("give the result a name of its own: \"my_result = {1}\"", column.text)));
 }
 
@@ -82,8 +82,8 @@ void Planning::add_levels() {
       if (!input) return;
       if (inputs_[*input].distribution)
         return issues_.push_back(refusal(name.place, "project.sweep",
-                                         say("'{1}' is uncertain: it does not run along with others", name.text),
-                                         say("correlations let it go with them")));
+                                         say("'{1}' is uncertain: it cannot vary in parallel with others", name.text),
+                                         say("use correlations")));
       const bool twice = std::any_of(zips.begin(), zips.end(), [&](const auto& other) {
         return std::find(other.begin(), other.end(), *input) != other.end();
       });
@@ -92,7 +92,7 @@ void Planning::add_levels() {
       if (!together.empty() && inputs_[together[0]].axis.size() != inputs_[*input].axis.size())
         return issues_.push_back(
             refusal(name.place, "project.sweep",
-                    say("'{1}' has {2} values, '{3}' has {4}: they cannot run together", inputs_[together[0]].name,
+                    say("'{1}' has {2} values, '{3}' has {4}: they cannot vary in parallel", inputs_[together[0]].name,
                         std::to_string(inputs_[together[0]].axis.size()), name.text,
                         std::to_string(inputs_[*input].axis.size()))));
       together.push_back(*input);

@@ -64,7 +64,7 @@ class Check {
     const bool within = std::all_of(twelfths.begin(), twelfths.end(),
                                     [](int e) { return std::abs(e) <= largest_exponent * Dimension::one; });
     if (within) return signature;
-    return fault(node, say("a unit grows beyond the power {1} here", std::to_string(largest_exponent)),
+    return fault(node, say("the power of a unit exceeds {1} here", std::to_string(largest_exponent)),
                  say("check the exponents"));
   }
 
@@ -86,7 +86,7 @@ class Check {
   }
 
   [[nodiscard]] static Fault unlike_axes(const Node& node, const Axis& a, const Axis& b) {
-    return fault(node, say("series of unlike axes cannot be combined: '{1}' and '{2}'", a.name(), b.name()),
+    return fault(node, say("series over different axes cannot be combined: '{1}' and '{2}'", a.name(), b.name()),
                  say("reduce one of them with peak, max, mean, at ..."));
   }
 
@@ -212,7 +212,7 @@ class Check {
                                              : say("use the value as it is"));
     }
     if (f.rule == Rule::cycle_reduction && !axis->cyclic()) {
-      return fault(node, say("'{1}' needs a closed cycle, and '{2}' is none", f.name, axis->name()),
+      return fault(node, say("'{1}' needs a closed cycle, and '{2}' is not one", f.name, axis->name()),
                    say("reduce the series with max, min or peak"));
     }
     if (f.rule == Rule::place) {

@@ -187,10 +187,11 @@ class Walk {
     const Term& without = more_a.empty() ? a : b;
     const std::string more = more_a.empty() ? more_b : more_a;
     const std::string other = name_of_kind(without.powers, kind_of(more));
-    unlike_ = fault(node,
-                    other.empty() ? say("'{1}' holds {2}, and '{3}' does not", with.text, more, without.text)
-                                  : say("'{1}' holds {2}, and '{3}' holds {4}", with.text, more, without.text, other),
-                    say("take both with it, or both without"));
+    unlike_ =
+        fault(node,
+              other.empty() ? say("'{1}' includes {2}, and '{3}' does not", with.text, more, without.text)
+                            : say("'{1}' includes {2}, and '{3}' includes {4}", with.text, more, without.text, other),
+              say("take both with it, or both without"));
   }
 
   static Fault fault(const Node& node, Message message, Message hint) {

@@ -133,7 +133,7 @@ bool Parser::is_behind_table() const {
 void Parser::fail_unexpected() {
   const auto word = word_end(text_, next_);
   if (is_behind_table()) {
-    return fail(next_, 1, say("a name with other characters than letters and digits needs double quotes"),
+    return fail(next_, 1, say("a name with characters other than letters and digits needs double quotes"),
                 say("write '=tables.sections.\"IPE 330\".I_y', in single quotes for TOML"));
   }
   const auto end = character_end(text_, next_);
@@ -165,7 +165,7 @@ void Parser::fail_unexpected_word(std::size_t end) {
                 say("write * 1 {1}, as in (a + b) * 1 {1}", unit));
   }
   if (path != next_ && is_unit(text_.substr(next_, path - next_))) {
-    return fail(next_, path - next_, say("a dot joins no units here: '{1}' is a reference", slice(next_, path)),
+    return fail(next_, path - next_, say("a dot cannot join units here: '{1}' is a reference", slice(next_, path)),
                 say("join units by *, as in 2 N*m"));
   }
   fail_missing_operator(std::max(path, end));

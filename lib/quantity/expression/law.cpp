@@ -101,7 +101,7 @@ Outcome<Law> Law::parse(std::string_view text, const Variable& variable, const D
                  say("a law has numbers with units and the variable {1}", name)};
   };
   if (const Node* const kink = find_kink(parsed->tree.root)) {
-    return Fault{kink->at, kink->length, say("'{1}' has kinks, or is of a series", kink->function->name),
+    return Fault{kink->at, kink->length, say("'{1}' has kinks, or uses a series", kink->function->name),
                  say("a law of motion must be smooth: its speed and acceleration come from it")};
   }
   const auto signature = expression::check(parsed->tree, declared);

@@ -132,7 +132,7 @@ void Parser::unit(Node& literal) {
                 say("write a temperature difference in K"));
   }
   if (counts_anything(unit->dimension, written)) {
-    return fail(from, end - from, say("'{1}' is a speed in revolutions to some and a frequency to others", written),
+    return fail(from, end - from, say("'{1}' is ambiguous: a speed of rotation or a frequency", written),
                 say("write rpm for a speed of rotation"));
   }
   literal.si = unit->to_si(literal.si);

@@ -63,7 +63,7 @@ class Reader {
     if (digits_.empty() && !(is_mark(in_.peek()) && in_.digit(1))) return no_number();
     const bool hexadecimal = digits_ == "0" && (in_.peek() == 'x' || in_.peek() == 'X') && is_hex(in_.peek(1));
     if (hexadecimal)
-      return fail(from, 2, say("hexadecimal numbers are not read"), say("write the number with decimal digits"));
+      return fail(from, 2, say("hexadecimal numbers are not accepted"), say("write the number with decimal digits"));
     groups();
     return !is_mark(in_.peek()) || decimals(from);
   }
@@ -74,7 +74,7 @@ class Reader {
     const std::size_t length = std::max<std::size_t>(word.size(), 1);
     const std::string lower = utf8_lower(word);
     const bool unusable = lower.starts_with("inf") || lower.starts_with("nan") || lower.starts_with("∞");
-    if (unusable) return fail(in_.at, length, say("'{1}' is not a number to calculate with", word));
+    if (unusable) return fail(in_.at, length, say("'{1}' is not a finite number", word));
     return fail(in_.at, length,
                 word.empty() ? say("a number is missing") : say("a number must come first, not '{1}'", word));
   }
@@ -205,7 +205,7 @@ class Reader {
     if (!ready_) value_ = zero ? 0.0 : number(digits_);
     if (is_normal_or_zero(value_) && (zero || value_ != 0.0)) return true;
     return fail(start_, in_.at - start_, say("'{1}' is out of the range of numbers", since(start_)),
-                say("magnitudes from 1e-300 to 1e300 can be calculated with"));
+                say("magnitudes must be from 1e-300 to 1e300"));
   }
 
   Cursor in_;

@@ -151,7 +151,7 @@ std::optional<Fault> choose_column(Rows& rows, const std::string& column) {
   }
   const std::string columns = std::to_string(rows.columns);
   if (column.empty()) return at_byte(0, say("the array has {1} columns: say which, by its number from 1", columns));
-  return at_byte(0, say("column '{1}' is none of the array's {2}, which are counted from 1", column, columns));
+  return at_byte(0, say("column '{1}' is not one of the array's {2}, counted from 1", column, columns));
 }
 
 Outcome<Rows> rows_of(std::string_view header, const std::string& column) {

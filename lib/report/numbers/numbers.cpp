@@ -70,6 +70,7 @@ std::string short_pair(const account::Quantity& demand, const account::Quantity&
 std::string utilisation_text(double utilisation) {
   if (!std::isfinite(utilisation)) return std::isinf(utilisation) ? "infinite" : "-";
   constexpr int usual = 3, most = 9;
+  if (utilisation >= 1000.0) return format_number(utilisation, 4);  // a wrong unit: 3.144e16
   std::array<char, 64> text{};
   for (int decimals = usual; decimals <= most; ++decimals) {
     std::snprintf(text.data(), text.size(), "%.*f", decimals, utilisation);

@@ -20,7 +20,7 @@ Message reach_of(const sweep::Optimum& optimum) {
   if (optimum.budget_spent) return say("the search ended after {1} designs, before completion", n);
   if (optimum.reach == Reach::every_point) return say("the best of all {1} designs", n);
   if (optimum.reach == Reach::every_combination)
-    return say("the best of every combination of the values, {1} machines", n);
+    return say("the best of every combination of the values, {1} designs", n);
   return say("better than all neighbouring designs and than the results from other starts; {1} designs", n);
 }
 

@@ -68,7 +68,7 @@ Message Space::put_above(Level level) {
   const std::uint64_t size = level.front().size();
   for (const Axis& axis : level) {
     if (axis.size() == size) continue;
-    return say("values that run together must be as many: {1} and {2}", std::to_string(size),
+    return say("values varied in parallel must be equal in number: {1} and {2}", std::to_string(size),
                std::to_string(axis.size()));
   }
   if (count_ > most_points / size) return say("these are more than 2^63 points");

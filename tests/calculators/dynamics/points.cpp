@@ -151,7 +151,7 @@ TEST_SUITE("dynamics impulse") {
                             {"m = \"2 kg\"\nF_x = \"30 kg\"\nt_2 = \"1 s\"\n", "force"},
                             {"m = \"2 kg\"\nF_x = \"30 N\"\nt_1 = \"1 s\"\nt_2 = \"1 s\"\n", "end after its start"},
                             {"m = \"2 kg\"\nF_x = \"30 N/(t/(1 s))\"\nt_2 = \"1 s\"\n", "no value"},
-                            {"m = \"2 kg\"\nF_x = \"1 N*tan(t/(1 s))\"\nt_2 = \"2 s\"\n", "leaps"},
+                            {"m = \"2 kg\"\nF_x = \"1 N*tan(t/(1 s))\"\nt_2 = \"2 s\"\n", "jumps"},
                             {"m = \"2 kg\"\nF_x = \"1e300 N\"\nt_2 = \"1 s\"\n", "no value"}};
     check_refusals("dynamics.impulse", rows);
   }

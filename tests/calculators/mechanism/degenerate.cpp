@@ -68,7 +68,7 @@ TEST_SUITE("mechanism degenerate") {
           R"(a.toml:5:26: error: points O and A of 'crank' coincide: it moves nothing
 5 | links.crank = { points = { O = ["0 mm", "0 mm"], A = ["0 mm", "0 mm"] }, angle = "30 deg" }
   |                          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-  = help: lay them apart, or join its neighbours by one pin and leave 'crank' out
+  = help: move them apart, or join its neighbours by one pin and leave 'crank' out
 )");
     CHECK(said_of("B = [\"200 mm\", \"0 mm\"]", "B = [\"0 mm\", \"0 mm\"]")
               .starts_with("a.toml:6:24: error: points A and B of 'rod' coincide: it moves nothing\n"));
@@ -89,7 +89,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
           R"(a.toml:13:13: error: both ends of spring 's' are in one place: it has no direction to act in
 13 | springs.s = { links = ["crank", "ground"], points = ["O", "O"], k = "2 N/mm", free = "10 mm" }
    |             ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-   = help: lay its ends at points that move apart; a spring that turns about a pin has k_turn, c_turn
+   = help: attach its ends to points that move apart; a spring that turns about a pin has k_turn, c_turn
 )");
     const std::string other_end =
         "springs.s = { links = [\"crank\", \"ground\"], points = [\"A\", \"O\"], k = \"2 N/mm\", "
@@ -195,7 +195,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
   TEST_CASE("a tolerance is narrower than its dimension") {
     const std::string place = "accuracy.place = { of = \"x\", point = \"B\" }\n";
     CHECK(issues_of(press(place + "tolerances.c = { link = \"crank\", point = \"O\", to = \"A\", t = \"50 mm\" }\n")) ==
-          R"(a.toml:14:62: error: the tolerance 'c', 50 mm, is not smaller than the length that it is of, 50 mm
+          R"(a.toml:14:62: error: the tolerance 'c', 50 mm, is not smaller than its length, 50 mm
 14 | tolerances.c = { link = "crank", point = "O", to = "A", t = "50 mm" }
    |                                                              ^^^^^
    = help: the half width must be smaller; check its unit
@@ -203,7 +203,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
     CHECK(issues_of(press(place + "tolerances.c = { link = \"crank\", point = \"O\", to = \"A\", t = \"49 mm\" }\n"))
               .find("not smaller") == std::string::npos);
     CHECK(first_error(press(place + "tolerances.m = { of = \"mass\", link = \"slider\", t_mass = \"3 kg\" }\n")) ==
-          "the tolerance 'm', 3 kg, is not smaller than the mass that it is of, 2 kg");
+          "the tolerance 'm', 3 kg, is not smaller than its mass, 2 kg");
   }
 
   TEST_CASE("fields that a kind of output does not take") {

@@ -166,7 +166,7 @@ TEST_SUITE("mechanism faults") {
               .starts_with("a.toml:3:51: error: 'crank.start' needs a full revolution, but 'crank.at' gives single "
                            "crank angles\n"));
     CHECK(with("[press.ground]", "positions = 12\n[press.ground]") ==
-          R"(a.toml:5:13: error: 'positions' is of strokes of cylinders, and a crank drives
+          R"(a.toml:5:13: error: 'positions' belongs to strokes of cylinders, and a crank drives
 5 | positions = 12
   |             ^^
   = help: give the positions of a revolution in the crank: crank = { positions = 72 }
@@ -189,7 +189,7 @@ positions = 12
     };
     CHECK(issues_of(stroke).empty());
     CHECK(without(", to = \"150 mm\"") ==
-          R"(a.toml:7:13: error: 'positions' is of a stroke, and the cylinder 'c' has no end of it
+          R"(a.toml:7:13: error: 'positions' divides a stroke, and the cylinder 'c' has no end position
 7 | positions = 12
   |             ^^
   = help: add 'to', the end position
@@ -246,7 +246,7 @@ radii = ["10 mm", "12 mm"]
     INFO(said);
     CHECK(said.find("error: the belt 'loop' keeps its length, and the distance of its centres changes as the mechanism "
                     "moves\n") != std::string::npos);
-    CHECK(said.find("= help: hold both centres on one link") != std::string::npos);
+    CHECK(said.find("= help: keep both centres on one link") != std::string::npos);
   }
 
   TEST_CASE("gears whose ratios contradict each other") {

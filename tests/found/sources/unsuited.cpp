@@ -102,7 +102,7 @@ TEST_SUITE("found unsuited values") {
   }
 
   TEST_CASE("a speed that is asked for is that of a shaft") {
-    const char* const words = "no shaft turns with it";
+    const char* const words = "no shaft has this speed";
     CHECK(is_held(train("n_target = \"600 rpm\""), "train", words));
     CHECK(is_held(train("omega_soll = \"20 rad/s\""), "train", words));
     CHECK_FALSE(is_held(train("n_target = \"60 rpm\""), "train", words));

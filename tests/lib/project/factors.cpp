@@ -38,7 +38,7 @@ TEST_SUITE("factors") {
 
   TEST_CASE("loads with a factor and without it do not act on one part") {
     const Solved unlike(chain("1.4") + end("F = \"=chain.F_W\"\nT = \"=chain.T_2\""));
-    CHECK_MESSAGE(contains(unlike.errors(), "end.T: 'F' holds chain.K_A = 1.4, and 'T' does not"), unlike.errors());
+    CHECK_MESSAGE(contains(unlike.errors(), "end.T: 'F' includes chain.K_A = 1.4, and 'T' does not"), unlike.errors());
     const Solved alike(chain("1.4") + end("F = \"=chain.F_W\"\nT = \"=chain.K_A*chain.T_2\""));
     CHECK_MESSAGE(alike.errors().empty(), alike.errors());
     const Solved without(chain("1.4") + end("F = \"=chain.F_W/chain.K_A\"\nT = \"=chain.T_2\"\nK_A = 1.4"));
@@ -63,8 +63,8 @@ TEST_SUITE("factors") {
     const auto errors_of = [](const std::string& F) {
       return Solved(chain("1.4") + end("F = \"=" + F + "\"\nT = \"0 N*m\"")).errors();
     };
-    CHECK(contains(errors_of("chain.F_W + chain.F_t"), "'chain.F_W' holds chain.K_A, and 'chain.F_t' does not"));
-    CHECK(contains(errors_of("max(chain.F_t, chain.F_W)"), "'chain.F_W' holds chain.K_A, and 'chain.F_t' does not"));
+    CHECK(contains(errors_of("chain.F_W + chain.F_t"), "'chain.F_W' includes chain.K_A, and 'chain.F_t' does not"));
+    CHECK(contains(errors_of("max(chain.F_t, chain.F_W)"), "'chain.F_W' includes chain.K_A, and 'chain.F_t' does not"));
     CHECK(contains(errors_of("chain.K_A*chain.F_W"), "K_A would be applied twice: 'chain.K_A' includes chain.K_A"));
     CHECK(errors_of("chain.F_W + 100 N") == "");
     for (const char* square : {"chain.F_W*chain.F_W/(1 N)", "chain.F_W^2/(1 N)", "chain.F_W/(1 N)*chain.F_W"}) {
@@ -81,7 +81,7 @@ TEST_SUITE("factors") {
   TEST_CASE("differing factors are named, common ones are not") {
     const Solved unlike(chain("1.4") + gears + "K_f = 1.5\n" +
                         end("F = \"=max(chain.F_W, gears.K_f*chain.F_W)\"\nT = \"0 N*m\""));
-    CHECK_MESSAGE(contains(unlike.errors(), "'gears.K_f*chain.F_W' holds gears.K_f, and 'chain.F_W' does not"),
+    CHECK_MESSAGE(contains(unlike.errors(), "'gears.K_f*chain.F_W' includes gears.K_f, and 'chain.F_W' does not"),
                   unlike.errors());
   }
 
@@ -92,15 +92,15 @@ TEST_SUITE("factors") {
              "T = \"=end.T/gears.K_A\"\n";
     };
     CHECK_MESSAGE(
-        contains(Solved(both("1.2")).errors(), "end.F: 'T' holds gears.K_A = 1.2, and 'F' holds chain.K_A = 1.4"),
+        contains(Solved(both("1.2")).errors(), "end.F: 'T' includes gears.K_A = 1.2, and 'F' includes chain.K_A = 1.4"),
         Solved(both("1.2")).errors());
     // Of equal ones both names stay: the next step knows them, and to divide by either takes them out.
-    CHECK_MESSAGE(contains(Solved(both("1.4")).errors(), "next.T: 'F' holds chain.K_A = 1.4, and 'T' does not"),
+    CHECK_MESSAGE(contains(Solved(both("1.4")).errors(), "next.T: 'F' includes chain.K_A = 1.4, and 'T' does not"),
                   Solved(both("1.4")).errors());
     CHECK(contains(
         Solved(chain("1.4") + gears + "K_A = 1.2\n" + end("F = \"=chain.F_W + gears.K_A*gears.F_tw\"\nT = \"0 N*m\""))
             .errors(),
-        "'chain.F_W' holds chain.K_A, and 'gears.K_A*gears.F_tw' holds gears.K_A"));
+        "'chain.F_W' includes chain.K_A, and 'gears.K_A*gears.F_tw' includes gears.K_A"));
   }
 
   TEST_CASE("moments that a step finds include what its loads include") {

@@ -84,9 +84,9 @@ TEST_SUITE("project modes") {
 
   TEST_CASE("a magnitude is refused for a load whose sign decides, unless its sign is given") {
     CHECK(contains(Solved(press_of_heavy_rod + rod + "N = \"=peak(press.links.rod.N)\"\n").messages(),
-                   "the sign of 'N' decides, and 'peak' gives a magnitude"));
+                   "the sign of 'N' matters, and 'peak' is a magnitude"));
     CHECK(contains(Solved(press_of_heavy_rod + rod + "N = \"=2*abs(press.links.rod.N)\"\n").messages(),
-                   "'abs' gives a magnitude"));
+                   "'abs' is a magnitude"));
     for (const char* sound : {"=-peak(press.links.rod.N)", "=min(press.links.rod.N)", "=press.links.rod.N"}) {
       CAPTURE(sound);
       CHECK_FALSE(has_errors(Solved(press_of_heavy_rod + rod + "N = \"" + sound + "\"\n").issues));

@@ -56,7 +56,7 @@ TEST_SUITE("project") {
       CAPTURE(word);
       const std::string said = issues_of("[" + std::string(word) + "]\ncalculator = \"shaft.torsion\"\n");
       CHECK(said.starts_with("a.toml:1:2: error: '" + std::string(word) +
-                             "' is a word of the program and cannot name a step\n"));
+                             "' is a reserved name and cannot name a step\n"));
     }
   }
 
@@ -136,7 +136,7 @@ a.toml:3:10: error: 'project.author' takes a text, not a number
     std::string text;
     for (int i = 0; i < 100001; ++i) text += "[s" + std::to_string(i) + "]\ncalculator = \"shaft.torsion\"\n";
     CHECK(
-        issues_of(text).starts_with("a.toml:200001:2: error: a project has at most 100000 tables; here are 100001\n"));
+        issues_of(text).starts_with("a.toml:200001:2: error: a project has at most 100000 tables; there are 100001\n"));
   }
 
   TEST_CASE("steps keep the order of the file") {

@@ -219,8 +219,8 @@ TEST_SUITE("rainflow series") {
     CHECK(message(npy("<f8", "(3, 2)", data, 1, "True"), "1") ==
           "the array is in Fortran's order, column after column; C order is read");
     CHECK(message(npy("<f8", "(3, 2)", data)) == "the array has 2 columns: say which, by its number from 1");
-    CHECK(message(npy("<f8", "(3, 2)", data), "3") == "column '3' is none of the array's 2, which are counted from 1");
-    CHECK(message(npy("<f8", "(3, 2)", data), "x") == "column 'x' is none of the array's 2, which are counted from 1");
+    CHECK(message(npy("<f8", "(3, 2)", data), "3") == "column '3' is not one of the array's 2, counted from 1");
+    CHECK(message(npy("<f8", "(3, 2)", data), "x") == "column 'x' is not one of the array's 2, counted from 1");
     CHECK(message(npy("<f8", "()", data)) == "the array has 0 dimensions; one or two are read");
     CHECK(message(npy("<f8", "(1, 2, 3)", data)) == "the array has 3 dimensions; one or two are read");
     CHECK(message(npy("<f8", "(3, 0)", data)) == "the array has 0 columns; 1 to 65536 are read");

@@ -70,6 +70,11 @@ TEST_SUITE("table") {
     CHECK(material("6082-T6").row->name == "EN AW-6082-T6");
   }
 
+  TEST_CASE("the beginning of names is answered with the rows that begin with it") {
+    const auto fault = [](const char* name) { return find_row("section", name).fault().hint.text(); };
+    CHECK(fault("ipe") == "rows that begin with it: IPE 80, IPE 100, IPE 120 and 15 more");
+  }
+
   TEST_CASE("the tables in use give the same as the full library") {
     for (const char* name : {"C45E", "1.0038", "ck45", "сталь 45"}) {
       const auto found = find_row("material", name);

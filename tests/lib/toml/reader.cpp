@@ -63,6 +63,9 @@ TEST_SUITE("toml") {
     CHECK(issues_of("material = steel\n").ends_with("help: write a text in quotes: \"steel\"\n"));
     CHECK(issues_of("[left\na = 1\n").ends_with("help: write [left]\n"));
     CHECK(issues_of("[Left bearing]\na = 1\n").ends_with("help: write [Left_bearing]\n"));
+    CHECK(
+        issues_of("T = \"5 N*m\"; d = \"9 mm\"\n").ends_with("help: leave out ';': each key has a line of its own\n"));
+    CHECK(issues_of("calculator = shaft.torsion\n").ends_with("help: write a text in quotes: \"shaft.torsion\"\n"));
     CHECK(issues_of("material = \u201CC45E\u201D\n").ends_with("help: these are typographic quotes: write \"C45E\"\n"));
   }
 
@@ -100,8 +103,7 @@ TEST_SUITE("toml") {
   }
 
   TEST_CASE("a Cyrillic key without quotes is reported as needing them") {
-    CHECK(
-        issues_of("момент = \"3 N*m\"\n").ends_with("  = help: write a key with other than Latin letters in quotes\n"));
+    CHECK(issues_of("момент = \"3 N*m\"\n").ends_with("  = help: put a key with non-Latin letters in quotes\n"));
     CHECK(issues_of("I = \"=tables.sections.\"IPE 330\".I_y\"\n")
               .ends_with("  = help: put an expression that contains quotes in single quotes: '=tables.sections.\"IPE "
                          "330\".I_y'\n"));

@@ -80,7 +80,7 @@ void compare_stages(const Step& train, const Project& project, std::vector<Reduc
     const auto other = std::ranges::find_if(stages, is_less_loaded);
     if (other == stages.end()) continue;
     found.push_back(
-        {"stages", say("a step assesses {1}, and none {2}, which has the larger torque and no larger module: "
+        {"stages", say("a step assesses {1}, but none assesses {2}, which has the larger torque and no larger module: "
                        "add a step for it, or because.stages = \"...\"",
                        other->path, stage.path)});
     return;
@@ -210,10 +210,9 @@ void compare_wanted_speeds(const Step& train, const Project& project, std::vecto
       if (!(std::abs(n - wanted) > std::abs(nearest - wanted))) nearest = n;
     }
     if (!(std::abs(nearest - wanted) > apart * wanted)) continue;
-    found.push_back(
-        {"stages", say("values.{1} = {2} acts on no step, and no shaft turns with it, the nearest with {3}: "
-                       "correct the stages, delete it, or because.stages = \"...\"",
-                       name, format_quantity(wanted, "rpm", 4), format_quantity(nearest, "rpm", 4))});
+    found.push_back({"stages", say("values.{1} = {2} acts on no step, and no shaft has this speed, the nearest {3}: "
+                                   "correct the stages, delete it, or because.stages = \"...\"",
+                                   name, format_quantity(wanted, "rpm", 4), format_quantity(nearest, "rpm", 4))});
   }
 }
 

@@ -38,7 +38,7 @@ std::vector<ReducedLoad> speeds_of_taken_powers(const Step& step, const Project&
   }
   const double own = std::abs(own_value(step, project, key)), there = std::abs(magnitude_at(project, path));
   if (!(there > 0.0) || !(std::abs(own - there) > as_typed * there)) return {};
-  return {{key, say("{1} = {2}, and the shaft that '{3}' is taken from turns with {4}: give {1} = \"={5}\", or "
+  return {{key, say("{1} = {2}, and the shaft that '{3}' is taken from turns at {4}: give {1} = \"={5}\", or "
                     "because.{1} = \"...\"",
                     key, format_quantity(own, "rpm", 5), source, format_quantity(there, "rpm", 5), path)}};
 }

@@ -126,11 +126,11 @@ class Check {
     const Message held = told(with.held, factor);
     if (!other.empty())
       return refuse(without, Fault{0, without.text.size(),
-                                   say("'{1}' holds {2}, and '{3}' holds {4}", with.path, held, without.path,
+                                   say("'{1}' includes {2}, and '{3}' includes {4}", with.path, held, without.path,
                                        told(without.held, other)),
-                                   say("divide each by the one that it holds, and give one here")});
+                                   say("divide each by the factor it includes, and give one here")});
     refuse(without,
-           Fault{0, without.text.size(), say("'{1}' holds {2}, and '{3}' does not", with.path, held, without.path),
+           Fault{0, without.text.size(), say("'{1}' includes {2}, and '{3}' does not", with.path, held, without.path),
                  without.is_list || with.is_list
                      ? say("take both with it, or both without")
                      : say("write {1} = \"={2}*({3})\", or take both without it", without.path, factor, without.text)});

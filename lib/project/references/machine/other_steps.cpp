@@ -166,7 +166,7 @@ class RunCheck {
       const double own = speed_ > 0.0 ? speed_ : std::abs(own_value(step_, project_, "omega"));
       const double n = own * (std::isnan(u) ? 1.0 : u), calculated = std::abs(magnitude_at(project_, disc + ".n"));
       if (!(n > (1.0 + 1e-3) * calculated)) continue;
-      add(operand.path, say("the disc '{1}' turns with {2} here, and is calculated for {3}; justify it: because.{4} = "
+      add(operand.path, say("the disc '{1}' turns at {2} here, and is calculated for {3}; justify it: because.{4} = "
                             "\"...\"",
                             disc, format_quantity(n, "rpm", 4), format_quantity(calculated, "rpm", 4),
                             operand.path.substr(0, operand.path.find_first_of(".["))));
@@ -209,7 +209,7 @@ class RunCheck {
       const double n = speed_ * std::abs(std::isnan(u) ? 1.0 : u);
       const double omega = std::abs(own_value(*source, project_, "omega"));
       if (!(std::abs(n - omega) > apart * omega)) continue;
-      add(operand.path, say("the flywheel '{1}' turns with {2} here, and is calculated for {3}: correct u, or "
+      add(operand.path, say("the flywheel '{1}' turns at {2} here, and is calculated for {3}: correct u, or "
                             "because.parts = \"...\"",
                             wheel, format_quantity(n, "rpm", 4), format_quantity(omega, "rpm", 4)));
     }
@@ -222,9 +222,10 @@ class RunCheck {
     if (!(n_2 > (std::isnan(n_1) ? 0.0 : n_1))) return;
     const double last = std::fmin(last_speed("motor"), last_speed("load"));
     if (!(n_2 < least * last)) return;
-    add("n_2", say("n_2 = {1}, and the curves of motor and load go on to {2}: give the speed that the machine runs at, "
-                   "or because.n_2 = \"...\"",
-                   format_quantity(n_2, "rpm", 4), format_quantity(last, "rpm", 4)));
+    add("n_2",
+        say("n_2 = {1}, and the curves of motor and load extend to {2}: give the speed that the machine runs at, "
+            "or because.n_2 = \"...\"",
+            format_quantity(n_2, "rpm", 4), format_quantity(last, "rpm", 4)));
   }
 
   /// The last speed of a list of points; NaN if it has none.

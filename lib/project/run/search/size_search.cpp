@@ -191,7 +191,7 @@ std::vector<account::TriedSize> SizeSearch::tried_around(std::size_t best) {
 /// There is no result. Reports the nearest candidate, and its failures.
 void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
   if (candidates_.count() == 0)
-    return leave_open(say("{1} has no value that '{2}' may have", candidates_.source(), wanted_.path));
+    return leave_open(say("no value of {1} suits '{2}'", candidates_.source(), wanted_.path));
   std::size_t best = nearest(std::min(from, candidates_.count() - 1));
   if (best == candidates_.count()) best = nearest(0);
   if (best == candidates_.count()) return refuse_all(issues);

@@ -247,7 +247,7 @@ std::optional<SoughtValue> seek_value(const Searching& searching, const Placed& 
   }
   if (ranges.size() != 1) {
     issues.push_back(refusal(goal,
-                             say("one input must go through a range; here are {1}", std::to_string(ranges.size())),
+                             say("exactly one input must have a range; there are {1}", std::to_string(ranges.size())),
                              say("give the others a value")));
     return std::nullopt;
   }

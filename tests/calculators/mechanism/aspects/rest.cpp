@@ -137,7 +137,7 @@ TEST_SUITE("mechanism rest") {
     const auto down = solved(plane("10 deg", ", impending = \"backward\""));
     CHECK(value(down, "a.cylinders.push.F") == value(down, "a.cylinders.push.F_backward"));
     CHECK(issues_of(plane("10 deg", ", impending = \"forward\", speed = \"1 m/s\""))
-              .find("error: 'impending' is of a drive that rests, and 'cylinders.push' has a speed\n") !=
+              .find("error: 'impending' belongs to a drive at rest, and 'cylinders.push' has a speed\n") !=
           std::string::npos);
   }
 

@@ -96,7 +96,7 @@ TEST_SUITE("courses") {
     CHECK(desk.run({"run", "p.toml"}).error.find("file 'diagram.csv' does not exist or cannot be read") !=
           std::string::npos);
     CHECK(said("s [mm], share\n").find("'diagram.csv' has no rows") != std::string::npos);
-    CHECK(said("s [mm], share\n150, 0\n250\n").find("line 3 of 'diagram.csv' has not as many cells") !=
+    CHECK(said("s [mm], share\n150, 0\n250\n").find("line 3 of 'diagram.csv' does not have as many cells") !=
           std::string::npos);
     CHECK(said("s [mm], part\n150, 0\n250, 1\n").find("'part' is not a valid key here") != std::string::npos);
     CHECK(said("s [kg], share\n150, 0\n250, 1\n").find("a mass") != std::string::npos);
@@ -107,7 +107,7 @@ TEST_SUITE("courses") {
     for (int k = 0; k <= 100000; ++k) rows += std::to_string(k) + ", 1\n";
     desk.put("diagram.csv", rows);
     desk.put("p.toml", by_course("over_stroke = { file = \"diagram.csv\" }"));
-    CHECK(desk.run({"run", "p.toml"}).error.find("at most 100000 over_stroke; here are 100001") != std::string::npos);
+    CHECK(desk.run({"run", "p.toml"}).error.find("at most 100000 over_stroke; there are 100001") != std::string::npos);
   }
   TEST_CASE("what a load curve cannot express is reported") {
     CHECK(first_error(by_course("stroke_of = \"guide\"")) ==
@@ -118,7 +118,7 @@ TEST_SUITE("courses") {
     CHECK(first_error(by_course("over_stroke = [[\"0 mm\", 0], [\"1 m\", 1]]\ncourses.it.stroke_of = \"A\"")) ==
           "'A' is not a cylinder, prismatic joint or slot");
     CHECK(first_error(press(", course = \"ti\"", "courses.it.share_of_phi = \"phi\"\n")) == "unknown load curve 'ti'");
-    CHECK(first_error(press("", "courses.it.share_of_phi = \"1 - 0.1*phi\"\n")) == "no load goes by the course 'it'");
+    CHECK(first_error(press("", "courses.it.share_of_phi = \"1 - 0.1*phi\"\n")) == "no load follows the course 'it'");
     CHECK(first_error(replaced(by_course("share_of_t = \"exp(-t/(2 s))\""), "speed = \"60 rpm\", ", "")) ==
           "'it' is a function of time, but the motion is not given over time");
   }

@@ -92,7 +92,7 @@ TEST_SUITE("mechanism law") {
                "error: the law gives the kind 'quantity in s*rad', and 'angle' is expected"));
     CHECK(says(crank("angle_of_t = \"30 deg + x\", duration = \"1 s\""), "error: 'x' is not a variable"));
     CHECK(says(crank("angle_of_t = \"30 deg*abs(t/(1 s))\", duration = \"1 s\""),
-               "error: 'abs' has kinks, or is of a series"));
+               "error: 'abs' has kinks, or uses a series"));
     CHECK(says(crank("angle_of_t = \"30 deg*sqrt(t/(1 s))\", duration = \"1 s\""),
                "error: the law has no position, speed or acceleration at t = 0 s"));
     CHECK(says(crank("angle_of_t = \"30 deg/s*t\""), "error: a law by a formula needs the time for which it holds"));
@@ -101,9 +101,9 @@ TEST_SUITE("mechanism law") {
     CHECK(says(crank("angle_of_t = \"30 deg/s*t\", duration = \"1 s\", speed = \"1 rad/s\""),
                "error: 'crank.speed' and 'crank.angle_of_t' both define the motion of the crank"));
     CHECK(says(crank("angle_of_t = \"30 deg/s*t\", duration = \"1 s\", impending = \"forward\""),
-               "error: 'impending' is of a drive that rests, and this one follows a law"));
+               "error: 'impending' belongs to a drive at rest, and this one follows a law"));
     CHECK(says(crank("law_shape = \"monotone\", speed = \"1 rad/s\""),
-               "error: 'law_shape' is of a law by points, and there is none"));
+               "error: 'law_shape' belongs to a law by points, and there is none"));
     CHECK(says(by(ram, "place_of_t = \"30 deg\", duration = \"1 s\""),
                "error: the law gives the kind 'angle', and 'length' is expected"));
     CHECK(says(crank("angle_of_t = 3, duration = \"1 s\""), "error: a formula is expected, not a number"));

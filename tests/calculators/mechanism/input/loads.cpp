@@ -115,12 +115,12 @@ TEST_SUITE("mechanism faults") {
     CHECK(message_of("F_y = \"0 N\"", "F_y = \"0 N\"\nover = [[\"90 deg\", 1], [\"20 deg\", 0]]") ==
           "the crank angles of 'over' must increase");
     CHECK(message_of("F_y = \"0 N\"", "F_y = \"0 N\"\nover = [[\"0 deg\", 1], [\"400 deg\", 0]]") ==
-          "the crank angles of 'over' reach round more than one cycle");
+          "the crank angles of 'over' cover more than one cycle");
   }
 
   TEST_CASE("laws of motion") {
     CHECK(message_of("speed = \"300 rpm\", positions = 72 }", "law = [[\"0 s\", \"0 deg\"]] }") ==
-          "a law of motion has two moments or more");
+          "a law of motion needs at least two instants");
     CHECK(message_of("speed = \"300 rpm\", positions = 72 }",
                      "law = [[\"1 s\", \"0 deg\"], [\"0.5 s\", \"90 deg\"]] }") == "the times of a law must increase");
     CHECK(with("speed = \"300 rpm\", positions = 72 }", "law = [[\"0 s\", \"10 deg\"], [\"0.5 s\", \"90 deg\"]] }")

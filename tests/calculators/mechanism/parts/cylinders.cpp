@@ -92,7 +92,8 @@ cylinders.ram = { joint = "bore", from = "1 m", to = "1.2 m", speed = "50 mm/s" 
     CHECK(with("links = [\"boom\", \"boom\"], points = [\"T\", \"P\"]") ==
           "a cylinder lies between two links, or a link and the ground");
     CHECK(with(between + ", F = \"1 kN\", speed = \"1 mm/s\"") == "the force of 'ram' is given, and so is its motion");
-    CHECK(with("joint = \"O\", F = \"1 kN\"") == "'F' is of a cylinder between two points, and 'ram' drives a joint");
+    CHECK(with("joint = \"O\", F = \"1 kN\"") ==
+          "'F' belongs to a cylinder between two points, and 'ram' drives a joint");
     CHECK(with(between + ", course = \"x\"") == "'course' is the load curve of F, and 'ram' has no F");
   }
 }

@@ -77,7 +77,8 @@ TEST_SUITE("mechanism held too much in a project") {
     const account::Verdict& said = verdict_of(project, "determinate");
     CHECK(said.state == account::State::not_covered);
     CHECK(said.note.text() ==
-          "the joints 'A', 'B', 'C', 'D', 'E', 'F' together hold one freedom too many: the load sharing depends on "
+          "the joints 'A', 'B', 'C', 'D', 'E', 'F' together constrain one degree of freedom too many: the load sharing "
+          "depends on "
           "clearance and elasticity");
     for (const account::Verdict& v : project.steps[0]->account().verdicts) {
       CAPTURE(v.symbol);

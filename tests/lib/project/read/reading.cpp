@@ -71,11 +71,11 @@ TEST_SUITE("project reading") {
 
   TEST_CASE("infinity and NaN are not numbers") {
     CHECK(issues_of(axle + "T = \"nan N*m\"\ntau_adm = inf\n") ==
-          R"(a.toml:3:6: error: 'nan' is not a number to calculate with
+          R"(a.toml:3:6: error: 'nan' is not a finite number
 3 | T = "nan N*m"
   |      ^^^
   = help: write a number and a unit, as in '30 N*m'; to have it found: T = "?"
-a.toml:4:11: error: 'inf' is not a number to calculate with
+a.toml:4:11: error: 'inf' is not a finite number
 4 | tau_adm = inf
   |           ^^^
   = help: write a number and a unit, as in '30 MPa'
@@ -175,7 +175,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
     std::string rows;
     for (int i = 0; i < 34; ++i) rows += "{ x = \"0 m\", T = \"0 N*m\" },";
     const std::string said = issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [" + rows + "]\n");
-    CHECK(said.starts_with("a.toml:4:11: error: at most 33 torques; here are 34\n4 | torques = [{ x = "));
+    CHECK(said.starts_with("a.toml:4:11: error: at most 33 torques; there are 34\n4 | torques = [{ x = "));
   }
 
   TEST_CASE("a duplicate name in a list is reported at the second") {
@@ -338,7 +338,7 @@ a.toml:7:15: error: unknown calculator 'shaft.overhang'
 7 | calculator = "shaft.overhang"
   |               ^^^^^^^^^^^^^^
   = help: did you mean 'shaft.overhung'?
-a.toml:9:2: error: 'tables' is a word of the program and cannot name a step
+a.toml:9:2: error: 'tables' is a reserved name and cannot name a step
 9 | [tables]
   |  ^^^^^^
   = help: call it 'tables_1', or by the part that it describes

@@ -382,6 +382,6 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(contains(fault("strut.d", {asked("axle passes")}), "axle"));
     std::vector<Issue> issues;
     CHECK_FALSE(project::seek_value({reader(text)}, asked("strut.lambda = 90"), issues));
-    CHECK(contains(issues.front().message.text(), "one input must go through a range"));
+    CHECK(contains(issues.front().message.text(), "exactly one input must have a range"));
   }
 }

@@ -86,14 +86,14 @@ TEST_SUITE("records in turn") {
       return Swept(press("crank = " + crank + "\n"), results).errors();
     };
     CHECK(contains(errors("{ each = [" + slow + R"(, { speed = "900 rpm" }] })"),
-                   "press.crank: records in turn have the same fields"));
+                   "press.crank: records taken in turn must have the same fields"));
     CHECK(contains(errors("{ each = [" + slow + ", " + slow + "] }"), "these records do not differ in any number"));
     CHECK(contains(errors("{ each = [" + slow + R"(, { speed = ["1 rpm", "2 rpm"], positions = 24, x = 1 }] })"),
                    "'x' is not a valid key here"));
     CHECK(contains(errors("{ each = [" + slow + R"(, { speed = "=2*other.n", positions = 24 }] })"),
-                   "a value of a record in turn is written out"));
+                   "values of records taken in turn must be written out"));
     CHECK(contains(errors("{ each = [" + slow + R"(, { speed = { mean = "1 rpm", sd = "5 %" }, positions = 24 }] })"),
-                   "a value of a record in turn is written out"));
+                   "values of records taken in turn must be written out"));
   }
 
   TEST_CASE("run takes one of them, and reports it once") {

@@ -64,7 +64,7 @@ TEST_SUITE("quantity") {
     };
     for (const auto& row : rows) check_wrong(row);
     const std::string_view huge = "shaft.d^90 * shaft.d^90";
-    check_wrong({huge, huge, "a unit grows beyond the power 100 here", "check the exponents"});
+    check_wrong({huge, huge, "the power of a unit exceeds 100 here", "check the exponents"});
   }
 
   TEST_CASE("an angle's function needs an angle or a number, its inverse a ratio") {
@@ -78,7 +78,7 @@ TEST_SUITE("quantity") {
 
   TEST_CASE("series over different axes are combined only when one of them is reduced") {
     constexpr std::string_view message =
-        "series of unlike axes cannot be combined: 'lever: crank angle' and 'column: height'";
+        "series over different axes cannot be combined: 'lever: crank angle' and 'column: height'";
     constexpr std::string_view hint = "reduce one of them with peak, max, mean, at ...";
     for (const std::string_view text :
          {"lever.joints.A.F + column.N", "lever.drive.M * column.N", "max(lever.joints.A.F, 1 N, column.N)"}) {
@@ -95,9 +95,9 @@ TEST_SUITE("quantity") {
          "use the value as it is"},
         {"max(lever.mass)", "lever.mass", "'max' needs a series; lever.mass is one value",
          "give a series, or two values to compare: max(a, b)"},
-        {"mean(column.N)", "mean(column.N)", "'mean' needs a closed cycle, and 'column: height' is none",
+        {"mean(column.N)", "mean(column.N)", "'mean' needs a closed cycle, and 'column: height' is not one",
          "reduce the series with max, min or peak"},
-        {"rms(column.N)", "rms(column.N)", "'rms' needs a closed cycle, and 'column: height' is none",
+        {"rms(column.N)", "rms(column.N)", "'rms' needs a closed cycle, and 'column: height' is not one",
          "reduce the series with max, min or peak"},
     };
     for (const auto& row : rows) check_wrong(row);

@@ -82,8 +82,8 @@ TEST_SUITE("law") {
   TEST_CASE("a law has the dimension of its drive, and no kinks") {
     CHECK(said("30 deg*t", angle) == "the law gives the kind 'quantity in s*rad', and 'angle' is expected");
     CHECK(said("30 deg + 5 mm", angle) == "angle and length cannot be added");
-    CHECK(said("30 deg*abs(t/(1 s))", angle) == "'abs' has kinks, or is of a series");
-    CHECK(said("1 deg*max(t/(1 s), 2)", angle) == "'max' has kinks, or is of a series");
+    CHECK(said("30 deg*abs(t/(1 s))", angle) == "'abs' has kinks, or uses a series");
+    CHECK(said("1 deg*max(t/(1 s), 2)", angle) == "'max' has kinks, or uses a series");
     CHECK(said("30 deg*(t", angle) == "'(' is not closed");
   }
 

@@ -144,9 +144,9 @@ TEST_SUITE("quantity") {
         {"((1)", "(", "'(' is not closed", close_hint},
         {"peak(lever.drive.M", "(", "'(' is not closed", close_hint},
         {"1)", ")", "unexpected ')'", "no '(' is open"},
-        {"tables.sections.IPE 330.I_y", "3", "a name with other characters than letters and digits needs double quotes",
+        {"tables.sections.IPE 330.I_y", "3", "a name with characters other than letters and digits needs double quotes",
          "write '=tables.sections.\"IPE 330\".I_y', in single quotes for TOML"},
-        {"tables.materials.16Mo3.E", ".", "a name with other characters than letters and digits needs double quotes",
+        {"tables.materials.16Mo3.E", ".", "a name with characters other than letters and digits needs double quotes",
          "write '=tables.sections.\"IPE 330\".I_y', in single quotes for TOML"},
         {"2 $ 3", "$", "unexpected '$'", "the operators are + - * / ^"},
         {"2 × 3", "×", "unexpected '×'", "the operators are + - * / ^"},
@@ -210,7 +210,7 @@ TEST_SUITE("quantity") {
          "write * 1 mm, as in (a + b) * 1 mm"},
         {"lever.mass N*m", "N*m", "the unit 'N*m' must follow a number directly",
          "write * 1 N*m, as in (a + b) * 1 N*m"},
-        {"2 N.m", "N.m", "a dot joins no units here: 'N.m' is a reference", "join units by *, as in 2 N*m"},
+        {"2 N.m", "N.m", "a dot cannot join units here: 'N.m' is a reference", "join units by *, as in 2 N*m"},
     };
     for (const auto& row : rows) check_wrong(row);
   }

@@ -266,7 +266,7 @@ TEST_SUITE("points of sweeps") {
     CHECK(Space::of({{big}, {big}, {list({1.0, 2.0, 3.0})}}, {}).fault().message.text() ==
           "these are more than 2^63 points");
     CHECK(Space::of({{list({1.0, 2.0}), list({1.0, 2.0, 3.0})}}, {}).fault().message.text() ==
-          "values that run together must be as many: 2 and 3");
+          "values varied in parallel must be equal in number: 2 and 3");
     Space::Random none = two_normals(0.0, 0);
     CHECK(Space::of({}, none).fault().message.text() == "the number of samples must be > 0");
     none.samples = 5;

@@ -60,7 +60,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
   };
   static constexpr Fields inputs{
       ListField{&Input::parts, "parts", "parts on the axis; those without omega_2 turn together afterwards"},
-      Field{&Input::M, "M", N_m, "constant external moment about the axis, signed: negative brakes what turns forwards"}
+      Field{&Input::M, "M", N_m, "constant external moment about the axis, signed; negative: brakes forward rotation"}
           .load(),
       Field{&Input::t, "t", sec, "time that the moment acts; found where every omega_2 is given"}
           .at_least(0)
@@ -70,11 +70,12 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
     Name name;
     MassMoment J_1 = unset<MassMoment>, J_2 = unset<MassMoment>;
     AngularSpeed omega_2 = unset<AngularSpeed>, n_2 = unset<AngularSpeed>;
-    static constexpr Fields fields{NameField{&After::name, "name", "name of the part"},
-                                   Field{&After::J_1, "J_1", kg_m2, "moment of inertia before"},
-                                   Field{&After::J_2, "J_2", kg_m2, "moment of inertia after"},
-                                   Field{&After::omega_2, "omega_2", rad_per_s, "angular velocity after"},
-                                   Field{&After::n_2, "n_2", rpm, "angular velocity after, in turns per minute"}};
+    static constexpr Fields fields{
+        NameField{&After::name, "name", "name of the part"},
+        Field{&After::J_1, "J_1", kg_m2, "moment of inertia before"},
+        Field{&After::J_2, "J_2", kg_m2, "moment of inertia after"},
+        Field{&After::omega_2, "omega_2", rad_per_s, "angular velocity after"},
+        Field{&After::n_2, "n_2", rpm, "angular velocity afterwards, in revolutions per minute"}};
   };
 
   struct Result {
@@ -91,7 +92,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
       Field{&Result::K_k, "K_k", kg_m2_per_s, "angular momentum after of the parts whose speed is given"},
       Field{&Result::J_k, "J_k", kg_m2, "moment of inertia after of the parts whose speed is to be found"},
       Field{&Result::omega_2, "omega_2", rad_per_s, "angular velocity after of the parts that turn together"},
-      Field{&Result::n_2, "n_2", rpm, "the same in turns per minute"},
+      Field{&Result::n_2, "n_2", rpm, "the same in revolutions per minute"},
       Field{&Result::t_M, "t_M", sec, "time that the moment acts"},
       Field{&Result::E_1, "E_1", J, "kinetic energy before"},
       Field{&Result::E_2, "E_2", J, "kinetic energy after"},

@@ -107,7 +107,7 @@ wheels = [
     Power P = unset<Power>;
     static constexpr Fields fields{NameField{&WheelState::name, "name", "name of the wheel"},
                                    Field{&WheelState::omega, "omega", rad_per_s, "angular velocity at the end"},
-                                   Field{&WheelState::n, "n", rpm, "the same in turns per minute"},
+                                   Field{&WheelState::n, "n", rpm, "the same in revolutions per minute"},
                                    Field{&WheelState::E, "E", J, "kinetic energy at the end"},
                                    Field{&WheelState::P, "P", W, "power of the driving moment at the end"}};
   };
@@ -132,7 +132,7 @@ wheels = [
       Field{&Result::F_G, "F_G", N, "weights reduced to the path s"},
       Field{&Result::F_d, "F_d", N, "driving moments reduced to the path s"},
       Field{&Result::F_f, "F_f", N, "friction reduced to the path s"},
-      Field{&Result::F, "F", N, "force that accelerates, friction taken off"},
+      Field{&Result::F, "F", N, "accelerating force, less friction"},
       Choice{&Result::moves, "moves", "direction of motion of the lift"},
       Field{&Result::a, "a", m_per_s2, "acceleration of the coordinate"},
       Field{&Result::v, "v", m_per_s, "speed of the coordinate at the end, negative backwards"},

@@ -52,8 +52,7 @@ bodies = [
   struct Input {
     List<Body, most_bodies> bodies;
   };
-  static constexpr Fields inputs{
-      ListField{&Input::bodies, "bodies", "the bodies, first the carrier that the others move on"}};
+  static constexpr Fields inputs{ListField{&Input::bodies, "bodies", "bodies; the first carries the others"}};
 
   struct After {
     Name name;

@@ -2,8 +2,8 @@
 //
 // Decides the line lg N = A + B lg S by least squares with the life as the dependent variable, over the failures above
 // the highest level that has a run-out; the standard deviation of lg N; the slope with its confidence interval; the
-// fatigue limit as asymptote, or the conventional strength at N_0 cycles. S is the stress that was set, amplitude or
-// largest, and the answers are of the same. Survival lines lie z s off the mean line: they describe the scatter of
+// fatigue limit as asymptote, or the conventional strength at N_0 cycles. S is the stress level of the test, amplitude
+// or largest, and the answers are of the same. Survival lines lie z s off the mean line: they describe the scatter of
 // the population with a confidence of 50 %, without the tolerance factor of a small sample.
 // Not covered: run-outs in the regression (maximum likelihood), staircase statistics, lack of fit, lives not tested.
 #pragma once
@@ -53,7 +53,7 @@ S = "350 MPa"
     double N = unset<double>;
     End end = End::failure;
     static constexpr Fields fields{
-        Field{&Test::S, "S", MPa, "stress that was set"}.positive(),
+        Field{&Test::S, "S", MPa, "stress level of the test"}.positive(),
         Field{&Test::N, "N", ratio, "cycles to failure, or to the end of the test"}.at_least(1).usually(1, 1e11),
         Choice{&Test::end, "end", "result of the test"}.may_be_missing()};
   };

@@ -141,7 +141,7 @@ delta = 0.01
       Field{&Result::n_max, "n_max", rpm, "maximum speed"},
       Field{&Result::n_min, "n_min", rpm, "minimum speed"},
       Field{&Result::P_m, "P_m", W, "mean power at the shaft; none without net work"},
-      Field{&Result::P, "P", W, "mean power of the motor, or of what is driven"},
+      Field{&Result::P, "P", W, "mean power of the motor or of the driven machine"},
       Field{&Result::m_rim, "m_rim", kg, "mass of a rim of that inertia"},
       Field{&Result::v_rim, "v_rim", m_per_s, "speed of the rim"},
       Field{&Result::u_delta, "u_delta", ratio,

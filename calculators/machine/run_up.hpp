@@ -95,7 +95,7 @@ n_2 = "1400 rpm"
       Field{&Result::M_least, "M_least", N_m, "minimum accelerating moment up to the final speed"},
       Field{&Result::epsilon_1, "epsilon_1", rad_per_s2, "angular acceleration at the start"},
       Field{&Result::t, "t", sec, "time of the run"},
-      Field{&Result::turns, "turns", ratio, "turns of the motor meanwhile"},
+      Field{&Result::turns, "turns", ratio, "revolutions of the motor during the change"},
       Field{&Result::Delta_E, "Delta_E", J, "change of the kinetic energy"},
       Field{&Result::A_M, "A_M", J, "work of the motor; of a brake negative, its heat"},
       Field{&Result::A_L, "A_L", J, "work that the load takes"},

@@ -64,7 +64,7 @@ Rotation::Result Rotation::evaluate(const Input& in, Tracer& trace) {
   const numerics::Jet now = motion::at(law_of(in), in_si(in.t));
   r.phi_t = trace.value("phi_t", now.value, "law of rotation at the time t");
   r.omega = trace.value("omega", now.first * rad_per_s, "first derivative of the law, [B28]");
-  r.n = trace.value("n", r.omega, "the same in turns per minute");
+  r.n = trace.value("n", r.omega, "the same in revolutions per minute");
   r.epsilon = trace.value("epsilon", now.second * rad_per_s2, "second derivative of the law, [B28]");
   r.change = change_of(now.first, now.second, in_si(in.t));
   if (is_set(in.t_1)) count_turns(in, r, trace);

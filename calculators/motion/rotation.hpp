@@ -56,7 +56,7 @@ t_2 = "2 s"
       Field{&Input::t, "t", sec, "time at which the state is calculated"},
       Field{&Input::R, "R", mm, "distance of the point from the axis"}.at_least(0).usually(0.1, 1e5).may_be_missing(),
       Field{&Input::phi_M, "phi_M", deg, "direction from the axis to the point at phi = 0, from x"},
-      Field{&Input::t_1, "t_1", sec, "start of the range that turns are counted in, with t_2"}.may_be_missing(),
+      Field{&Input::t_1, "t_1", sec, "start of the range in which revolutions are counted, with t_2"}.may_be_missing(),
       Field{&Input::t_2, "t_2", sec, "end of the range, after t_1"}.may_be_missing()};
 
   struct Result {
@@ -76,11 +76,11 @@ t_2 = "2 s"
   static constexpr Fields results{
       Field{&Result::phi_t, "phi_t", deg, "angle at the time t"},
       Field{&Result::omega, "omega", rad_per_s, "angular velocity, signed"},
-      Field{&Result::n, "n", rpm, "angular velocity in turns per minute, signed"},
+      Field{&Result::n, "n", rpm, "angular velocity in revolutions per minute, signed"},
       Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, signed"},
       Choice{&Result::change, "change", "the body accelerates or decelerates"},
       Field{&Result::Delta_phi, "Delta_phi", deg, "angle turned from t_1 to t_2, signed"},
-      Field{&Result::turns, "turns", ratio, "turns from t_1 to t_2, signed"},
+      Field{&Result::turns, "turns", ratio, "revolutions from t_1 to t_2, signed"},
       Field{&Result::omega_m, "omega_m", rad_per_s, "mean angular velocity from t_1 to t_2"},
       Field{&Result::v, "v", m_per_s, "speed of the point"},
       Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive counter-clockwise"},

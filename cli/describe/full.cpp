@@ -46,8 +46,8 @@ void show_keys(const Calculator& calculator) {
     rows.push_back({"  template", "word", "optional", "a standard mechanism, by its parameters: see below"});
   for (const std::string& group : table_groups(calculator)) {
     rows.push_back({"  " + group, "name", "optional",
-                    "a row of `loadpath tables`, or of [tables." + group + "s] in the file; fills what is missing of " +
-                        filled_by(calculator, group)});
+                    "a row of `loadpath tables`, or of [tables." + group +
+                        "s] in the file; fills in, if not given: " + filled_by(calculator, group)});
   }
   rows.push_back({"  title, note", "text", "optional", "for the report"});
   if (calculator.result != nullptr)

@@ -111,7 +111,7 @@ constexpr auto section_actions() {
       action<Input, Force>(&Input::F_zdmax, "F_zdmax", N, "peak axial force"),
       action<Input, Moment>(&Input::M_bm, "M_bm", N_m, "mean of the bending moment, in axes that turn with the shaft"),
       action<Input, Moment>(&Input::M_ba, "M_ba", N_m,
-                            "amplitude of the bending moment; of a shaft that turns under it the moment")
+                            "amplitude of the bending moment; for a rotating shaft the moment itself")
           .at_least(0),
       action<Input, Moment>(&Input::M_bmax, "M_bmax", N_m, "peak bending moment"),
       action<Input, Moment>(&Input::M_tm, "M_tm", N_m, "mean of the torque"),

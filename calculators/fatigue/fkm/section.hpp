@@ -81,7 +81,7 @@ struct FkmStress {
       Field<K, Stress>{&K::sigma_W, "sigma_W", MPa, "fatigue limit of the material in tension, in torsion in shear"},
       Field<K, Stress>{&K::sigma_WK, "sigma_WK", MPa, "fatigue limit of the section, R = -1"},
       Field<K, double>{&K::M, "M", ratio, "sensitivity to mean stress"},
-      Field<K, Stress>{&K::sigma_mv, "sigma_mv", MPa, "mean stress that counts"},
+      Field<K, Stress>{&K::sigma_mv, "sigma_mv", MPa, "effective mean stress"},
       Field<K, double>{&K::K_AK, "K_AK", ratio, "mean stress factor"},
       Field<K, Stress>{&K::sigma_AK, "sigma_AK", MPa, "amplitude that lasts at this mean stress"},
       Field<K, double>{&K::K_BK, "K_BK", ratio, "factor for finite life"},

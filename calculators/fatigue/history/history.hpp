@@ -184,9 +184,8 @@ n_req = 1
       Field{&Result::D, "D", ratio, "damage of one passage, by the rule that decides"},
       Field{&Result::Z, "Z", ratio, "allowable repetitions; infinite if no cycle causes damage"}.may_be_infinite(),
       Field{&Result::L, "L", hour, "life"}.may_be_infinite(),
-      Field{
-          &Result::S_eq, "S_eq", MPa,
-          "stress of one size that does in N_eq cycles what n_req passages do: amplitude of a part, range of a detail"},
+      Field{&Result::S_eq, "S_eq", MPa,
+            "constant stress with the damage of n_req passages in N_eq cycles: amplitude of a part, range of a detail"},
       Field{&Result::u_y, "u_y", ratio, "yielding: maximum stress / yield strength"}.check("R_e"),
       Field{&Result::u_F, "u_F", ratio, "yielding: required / calculated safety factor"}.check("S_F"),
       Field{&Result::u_m, "u_m", ratio, "maximum mean stress / strength at which its rule ends"}

@@ -4,7 +4,7 @@
 // were tested one after the other, a step lower after a failure and a step higher after a run-out [DixonMood]: of the
 // rarer of both outcomes, of failures less half a step, of run-outs more. Steps are equal in stress or in its
 // logarithm, and the strength is normal, or log-normal. The formula of the standard deviation holds from D = 0.3 on,
-// which few tests and wide steps do not reach: then it is not reported. S is the stress that was set, amplitude or
+// which few tests and wide steps do not reach: then it is not reported. S is the stress level of the test, amplitude or
 // largest. Not covered: the confidence of a small sample, maximum likelihood, survivals of the tail.
 #pragma once
 
@@ -56,7 +56,7 @@ P_s = 0.9
   struct Test {
     Stress S = unset<Stress>;
     End end = End::failure;
-    static constexpr Fields fields{Field{&Test::S, "S", MPa, "stress that was set"}.positive(),
+    static constexpr Fields fields{Field{&Test::S, "S", MPa, "stress level of the test"}.positive(),
                                    Choice{&Test::end, "end", "result of the test"}};
   };
 
@@ -95,7 +95,7 @@ P_s = 0.9
       Field{&Result::s_lg, "s_lg", ratio, "standard deviation of lg S"},
       Field{&Result::T_S, "T_S", ratio, "scatter: S at 10 % over S at 90 % survival, above 1"},
       Field{&Result::S_P, "S_P", MPa, "strength that the share P_s survives, with 50 % confidence; none below 0"},
-      Field{&Result::x_s, "x_s", ratio, "D, from 0.3 on the formula of the standard deviation holds"}.limit(
+      Field{&Result::x_s, "x_s", ratio, "D; the formula of the standard deviation applies from 0.3"}.limit(
           0.3 - 1e-9, std::numeric_limits<double>::infinity()),
       Field{&Result::x_n, "x_n", ratio, "number of tests, at least 15 for a scatter"}.limit(15, most_tests),
       Field{&Result::P_f, "P_f", ratio,

@@ -107,7 +107,7 @@ s_K = 0.2
           .as_arrays()
           .may_be_missing(),
       Field{&Input::n_M, "n_M", rpm,
-            "constant speed of the crank at which M includes inertia forces (\"=press.drive.M\"): they are taken off"}
+            "constant speed of the crank at which M includes inertia forces (\"=press.drive.M\"): they are subtracted"}
           .positive()
           .may_be_missing(),
       Field{&Input::J_red, "J_red", kg_m2,
@@ -186,7 +186,7 @@ s_K = 0.2
       Field{&Result::M_0, "M_0", N_m, "moment of the load at the start"},
       Field{&Result::M_start, "M_start", N_m, "starting torque of the motor, reduced to the crank"},
       Field{&Result::t_E, "t_E", sec, "time of the run-up, to 0.5 % below the speed of the steady cycle"},
-      Field{&Result::turns, "turns", ratio, "turns of the crank in the run-up"},
+      Field{&Result::turns, "turns", ratio, "revolutions of the crank during the run-up"},
       Field{&Result::Q_E, "Q_E", J, "heat by the slip of the motor in the run-up"}.where_it_applies(),
       Field{&Result::t_c, "t_c", sec, "duration of the steady cycle"},
       Field{&Result::n_m, "n_m", rpm, "mean speed of the crank in the steady cycle"},

@@ -72,7 +72,7 @@ struct CamProfile {
       Choice{&CamProfile::side, "side",
              "swinging, swinging_flat: where roller or face is, as seen from the cam's axis to the pivot"}
           .may_be_missing(),
-      Choice{&CamProfile::sense, "sense", "by lift: how the cam turns as the segments follow each other"}
+      Choice{&CamProfile::sense, "sense", "by lift: direction in which the cam rotates through the segments"}
           .may_be_missing(),
       ListField{&CamProfile::segments, "segments",
                 "by lift: rises, dwells and falls over a revolution; the first begins where the guide, or the line to "

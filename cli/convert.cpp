@@ -5,6 +5,7 @@
 #include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
+#include "lib/quantity/unit_hint.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/table/tables.hpp"
 
@@ -17,7 +18,9 @@ namespace loadpath::cli {
 
 namespace {
 
-int refuse(const std::string& text, std::size_t skipped, const char* what, const Fault& fault) {
+int refuse(const std::string& text, std::size_t skipped, const char* what, Fault fault) {
+  if (fault.hint.empty() && fault.message.id == unknown_unit("").id)
+    fault.hint = say("`loadpath convert --help` lists the units");
   const Place place = project::place_in({what, 1, 1, 1}, text, fault.at + skipped, fault.length);
   terminal::show_issues({{place, "", fault.message, fault.hint, Severity::error}}, {{what, text}});
   return wrong_input;
@@ -69,9 +72,21 @@ Outcome<Converted> value_of(std::string_view text) {
   return Fault{0, text.size(), say("undefined: division by zero, or root of a negative number"), {}};
 }
 
-Outcome<Converted> literal_of(std::string_view text) {
+/// A fault is that of a quantity in the target unit, where one is given: "3 mn" to mm.
+Outcome<Converted> literal_of(std::string_view text, const std::string& unit) {
   const auto literal = parse_literal(text);
-  return literal ? Outcome<Converted>(Converted{literal->si, literal->dimension}) : literal.fault();
+  if (literal) return Converted{literal->si, literal->dimension};
+  const auto target = parse_unit(unit);
+  if (unit.empty() || !target) return literal.fault();
+  return parse_literal(text, Expected{target->dimension, Kind::plain, unit}).fault();
+}
+
+/// The unit that a misspelt target means, of the dimension of the quantity.
+Fault unknown_target(const std::string& unit, const Converted& literal, Fault fault) {
+  const bool is_all = fault.at == 0 && fault.length == unit.size();
+  if (fault.message.id != unknown_unit("").id || !is_all || literal.dimension.is_number()) return fault;
+  fault.hint = unknown_unit_hint(unit, literal.dimension, readable_unit(literal.si, literal.dimension));
+  return fault;
 }
 
 }  // namespace
@@ -80,14 +95,14 @@ Outcome<Converted> literal_of(std::string_view text) {
 int convert(const ConvertOptions& options) {
   const std::string& text = options.quantity;
   const bool expression = text.starts_with('=');
-  const auto read = expression ? value_of(std::string_view(text).substr(1)) : literal_of(text);
+  const auto read = expression ? value_of(std::string_view(text).substr(1)) : literal_of(text, options.unit);
   if (!read) return refuse(text, expression ? 1 : 0, "quantity", read.fault());
   const Converted literal = *read;
   const std::string unit = !options.unit.empty()           ? options.unit
                            : literal.dimension.is_number() ? "-"
                                                            : readable_unit(literal.si, literal.dimension);
   const auto target = parse_unit(unit);
-  if (!target) return refuse(unit, 0, "unit", target.fault());
+  if (!target) return refuse(unit, 0, "unit", unknown_target(unit, literal, target.fault()));
   // A literal states its kind, so that Hz is not taken for rad/s; an expression is compared without its angle.
   const bool fits = expression ? fits_but_for_angle(target->dimension, literal.dimension, literal.kind, literal.turns)
                                : target->dimension == literal.dimension;

@@ -56,7 +56,10 @@ TEST_SUITE("cli convert") {
   TEST_CASE("an error is reported at its character") {
     CHECK(convert({"30 mpa"}).error ==
           "quantity:1:4: error: unknown unit 'mpa'\n1 | 30 mpa\n  |    ^^^\n  = help: did you mean 'MPa'?\n");
-    CHECK(convert({"30 mm", "mn"}).error.starts_with("unit:1:1: error: unknown unit 'mn'\n"));
+    CHECK(convert({"30 mm", "mn"}).error ==
+          "unit:1:1: error: unknown unit 'mn'\n1 | mn\n  | ^^\n  = help: did you mean 'mm'?\n");
+    CHECK(convert({"3 mn", "mm"}).error.ends_with("  = help: did you mean 'mm'?\n"));
+    CHECK(convert({"3 furlong"}).error.ends_with("  = help: `loadpath convert --help` lists the units\n"));
     CHECK(convert({"1,234.5 mm"}).error.starts_with("quantity:1:1: error: '1,234.5' has more than one decimal mark\n"));
     CHECK(convert({"=a.b + 1"}).error ==
           "quantity:1:2: error: 'a.b' refers to a project, and there is none here\n1 | =a.b + 1\n  |  ^^^\n");

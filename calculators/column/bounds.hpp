@@ -41,7 +41,7 @@ double least_length_factor(const Input&) {
   return length_factor(Ends::fixed_fixed, Basis::exact);
 }
 
-/// That of the ends, where both factors are typed next to them; one alone may be that of a brace in between.
+/// That of the ends, where both factors are typed next to them; a single one may be that of a brace in between.
 template <class Input>
 double factor_of_ends(const Input& in) {
   const bool are_replaced = in.ends != Ends::unsaid && is_set(in.beta_y) && is_set(in.beta_z);

@@ -23,7 +23,7 @@ struct Twisting {
   Length e = unset<Length>;
 };
 Twisting twisting_of(const BucklingInput& in);
-/// By the middle lines of its walls alone.
+/// Only by the middle lines of its walls.
 Twisting twisting_by_walls(const BucklingInput& in);
 
 /// Distance of the supports against twisting; a free or swaying end is not held.

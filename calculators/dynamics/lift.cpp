@@ -71,7 +71,7 @@ void run(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, t, 2.0 * in.s / (v_0 + v_end), "mean speed of a constant acceleration");
 }
 
-/// The least force of the threads, of what hangs and of what is on a slope.
+/// The least force of the threads, of hanging loads and of loads on a slope.
 void take_least(Force T, const Lift::Weight& w, Result& r) {
   if (Lift::is_level(w)) return;
   Force& least = Lift::hangs(w) ? r.T_hang : r.T_slope;

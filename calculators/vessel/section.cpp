@@ -112,7 +112,7 @@ void add_walls(const Wall& wall, Drawing::View& view) {
   }
 }
 
-/// A line across where the vessel goes on: straight, with a turn on either side of the axis.
+/// A line across where the vessel continues: straight, with a turn on either side of the axis.
 Points break_line(double half, double z) {
   const double beyond = 1.06 * half, tooth = 0.05 * half;
   return {{-beyond, z},
@@ -127,7 +127,7 @@ Points break_line(double half, double z) {
           {beyond, z}};
 }
 
-/// View of a free end behind the section, or a sign that the vessel goes on.
+/// View of a free end behind the section, or a sign that the vessel continues.
 void add_ends(const Wall& wall, const Section& s, Drawing::View& view) {
   for (const bool start : {true, false}) {
     if (wall.ring || (start ? wall.starts_on_axis : wall.ends_on_axis)) continue;

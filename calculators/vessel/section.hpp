@@ -15,7 +15,7 @@ struct Section {
   std::vector<figure::Point> middle;  // m, middle of the carrying wall, right of the axis, along the meridian
   figure::Point within;               // a place inside, right of the axis or on it
   bool ring = false;                  // the meridian is closed: a tube, which the axis does not meet
-  bool broken_start = false, broken_end = false;  // where the vessel goes on
+  bool broken_start = false, broken_end = false;  // where the vessel continues
   std::optional<double> surface = {};             // height of the liquid
   std::optional<figure::Point> governing = {};    // on the middle
   std::string radius = "R";                       // radius to the surface given by `measured`

@@ -14,7 +14,7 @@ std::string assessor_of(const ModeInfo& mode);
 
 void show_in_full(const Calculator& calculator);
 
-/// What can be asked for alone: "inputs", "modes".
+/// The parts that can be requested separately: "inputs", "modes".
 std::vector<std::string> part_names();
 /// False where there is no part of that name.
 bool show_part(const Calculator& calculator, std::string_view name);

@@ -19,7 +19,7 @@ struct Text {
   [[nodiscard]] bool changes() const { return before != after; }
 };
 
-/// False, with a word, if there is no layout.
+/// False, with a message, if there is no layout.
 bool lay_out(Text& text) {
   if (!toml::read_file(text.file, text.before)) {
     std::cerr << "loadpath: cannot read '" << text.file << "'\n  = help: " << help_for_file(text.file) << "\n";

@@ -132,7 +132,7 @@ struct Mode : ModeInfo {
     mode.by_rest = true;
     return mode;
   }
-  /// Of a ratio that the load does not change, against a limit: shown as governing where it fails, or alone.
+  /// Of a ratio that the load does not change, against a limit: shown as governing where it fails, or is the only one.
   [[nodiscard]] constexpr Mode at_any_load() const {
     Mode mode = *this;
     mode.is_limit = true;

@@ -31,7 +31,7 @@ class Numbering {
  public:
   /// "2" or "2.1"; in the appendix "A2" or "A2.1"
   std::string heading(int level);
-  /// Headings count anew, with an A in front.
+  /// Headings are counted from 1 again, with an A in front.
   void begin_appendix();
   int table() { return ++tables_; }
   int figure() { return ++figures_; }

@@ -33,7 +33,7 @@ class Threaded final : public Function {
   Make make_;
   Show show_;
   std::vector<std::unique_ptr<Function>> others_;  // null until they are needed
-  std::chrono::steady_clock::duration spent_{};    // by the caller's thread alone
+  std::chrono::steady_clock::duration spent_{};    // by the caller's thread only
   std::uint64_t evaluated_ = 0;
 };
 

@@ -75,7 +75,7 @@ Search search_for(const Input& in, Result& r) {
   return search;
 }
 
-/// The values of the row that the calculation goes on with.
+/// The values of the row that the calculation continues with.
 template <class Tracer>
 void show(const Input& in, const TableSection& section, Tracer& trace) {
   trace.value("q", section.m, "of the section found");

@@ -188,7 +188,7 @@ FieldFault Lightest::none_carries(const Input& in) {
 
 namespace {
 
-/// The last of the outlines that there are to choose from; whether there is no other.
+/// The last of the available outlines; whether there is no other.
 std::pair<Outline, bool> outlines_of(const Lightest::Input& in) {
   Outline least = Outline::open, most = Outline::solid;
   for (const TableSection& section : sections_by_mass()) {

@@ -2,7 +2,7 @@
 //
 // Decides by how much all loads together may grow until the column buckles elastically, exactly (critical.hpp), the
 // effective length of every part under its own force, and with it the critical stress of the part: by Johnson and
-// Euler with the yield strength, by Euler up to a proportional limit. One part alone is the uniform column under its
+// Euler with the yield strength, by Euler up to a proportional limit. A single part is the uniform column under its
 // self-weight. Straight, central loads that keep their direction, vertical where the weight counts; buckling about one
 // axis, that of the second moments given. Forces are positive in compression. Not covered: eccentric and transverse
 // loads, buckling about the other axis, torsional and local buckling, elastic ends, codes.

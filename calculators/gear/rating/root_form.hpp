@@ -1,5 +1,5 @@
 // The fillet of a tooth, and its form factor and stress correction under a load at a circle: [DIN3990-3] and
-// [ISO6336-3] differ in the circle alone.
+// [ISO6336-3] differ only in the circle.
 #pragma once
 
 #include "calculators/gear/rating/contact.hpp"

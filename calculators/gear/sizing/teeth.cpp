@@ -38,7 +38,7 @@ TeethInput with_shift(TeethInput teeth, double x_1, double x_sum) {
   return teeth;
 }
 
-/// Shift of gear 1 with the most even sliding, by bisection in whole hundredths.
+/// Shift of gear 1 with the most even sliding, by bisection in steps of 0.01.
 double balanced_shift(const TeethInput& teeth, double x_sum) {
   int low = static_cast<int>(std::ceil(std::max(least_x, x_sum - most_x) * steps_of_x - 1e-6));
   int high = static_cast<int>(std::floor(std::min(most_x, x_sum - least_x) * steps_of_x + 1e-6));

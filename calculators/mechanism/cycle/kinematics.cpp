@@ -15,7 +15,7 @@ static std::vector<std::size_t> iterated_groups(const mechanism::Plan& plan) {
   return groups;
 }
 
-/// The motion of a position alone: of thousands of large mechanisms the forces would be kept twice.
+/// Only the motion of a position: of thousands of large mechanisms the forces would be kept twice.
 static Position motion_alone(const Position& at) {
   Position motion;
   motion.pose = at.pose;

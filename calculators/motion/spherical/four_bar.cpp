@@ -29,7 +29,7 @@ Bar::Type type_of(const SphericalLoop& loop, double T_min) {
   return loop.coupler_revolves() ? Bar::Type::double_rocker : Bar::Type::triple_rocker;
 }
 
-/// Range of the input to be assessed: as given, else the revolution of a crank, else the position alone.
+/// Range of the input to be assessed: as given, else the revolution of a crank, else only the position.
 struct InUse {
   double from, to;
 };

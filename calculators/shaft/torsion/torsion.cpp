@@ -49,7 +49,7 @@ void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
 template <class Tracer>
 void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   const bool by_strength = is_set(r.tau_all);
-  if (!by_strength && !is_set(in.theta_adm)) return;  // stresses and twist alone are asked for
+  if (!by_strength && !is_set(in.theta_adm)) return;  // only stresses and twist are required
   if (by_strength) trace.value("d_strength", r.d_strength, "largest value along the shaft");
   if (is_set(in.theta_adm) && !by_strength) {
     trace.value("d_stiffness", r.d_stiffness, "largest value along the shaft");

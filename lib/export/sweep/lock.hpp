@@ -1,5 +1,5 @@
 // A folder locked by one process. The lock ends with the process, however it ends: remains of a process that was
-// killed block nobody. On a shared disk it works between computers if the file system supports locks.
+// killed one blocks no other. On a shared disk it works between computers if the file system supports locks.
 #pragma once
 
 #include "lib/text/issue.hpp"

@@ -107,7 +107,7 @@ Outcome<rainflow::Form> form_of(const Tree& table) {
 
 fs::path path_of(const Tree& named) { return fs::path(named.place.file).parent_path() / named.text; }
 
-/// Files alone: a device may have no end, and a pipe that has a name waits for one who writes. "-" is what is piped in.
+/// Only files: a device may have no end, and a named pipe waits for a writer. "-" is what is piped in.
 Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   const Tree& named = table.find("file")->value;
   if (named.text == "-") return rainflow::open_source("-");

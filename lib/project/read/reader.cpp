@@ -25,7 +25,7 @@ std::vector<std::string> keys_of(const std::vector<Part>& parts) {
   return keys;
 }
 
-/// The fields that a value with a unit can have been meant for: "500 mm" is no strength. None for other values.
+/// The fields that a value with a unit can have been meant for: "500 mm" is not a strength. None for other values.
 static std::vector<Known> known_of_dimension(const Tree& value, const std::vector<Part>& parts) {
   std::vector<Known> known;
   const auto typed = parse_literal(value.text);

@@ -24,7 +24,7 @@ std::uint64_t count_in(std::span<const double> states, double state) {
   return static_cast<std::uint64_t>(sweep::count_of(state, states));
 }
 
-/// The samples by their outcome alone.
+/// The samples by their outcome only.
 DesignTally outcomes_of(std::span<const double> states) {
   DesignTally tally;
   tally.samples = states.size();

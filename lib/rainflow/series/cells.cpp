@@ -49,7 +49,7 @@ std::optional<double> pointed_number(std::string_view text) {
   return std::isfinite(x) ? std::optional(x) : std::nullopt;
 }
 
-/// "1,5" as "1.5"; empty where there is no comma alone.
+/// "1,5" as "1.5"; empty unless a comma is the only mark.
 std::string with_point(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos || text.find_first_not_of("0123456789+-eE,") != std::string_view::npos) return {};

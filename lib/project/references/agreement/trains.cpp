@@ -197,7 +197,7 @@ class WheelCheck {
 
 /// A speed that is asked for, next to a train none of whose shafts has it.
 void compare_wanted_speeds(const Step& train, const Project& project, std::vector<ReducedLoad>& found) {
-  constexpr double apart = 0.1;  // of the speed asked for: numbers of teeth are whole
+  constexpr double apart = 0.1;  // of the required speed: numbers of teeth are integers
   const Dimension turning = Dimension::of(0, 0, -1, 0, 1);
   for (const auto& [name, value] : project.values.unused()) {
     if (!(value.signature.dimension == turning) || !has_word(name, {"n", "omega", "speed", "drehzahl"})) continue;

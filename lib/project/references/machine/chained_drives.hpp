@@ -7,7 +7,7 @@
 
 namespace loadpath::project {
 
-/// The power or torque of a drive that is chained to another one by its speed alone, where it differs from the power of
+/// The power or torque of a drive that is chained to another one only by its speed, where it differs from the power of
 /// that one by more than losses.
 std::vector<ReducedLoad> powers_of_chained(const Step& step, const Project& project);
 

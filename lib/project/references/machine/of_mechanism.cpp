@@ -168,7 +168,7 @@ void compare_work(const Step& mechanism, const Project& project, std::vector<Red
                                 "moves masses only: correct the directions, or because.loads = \"...\"")});
 }
 
-/// The mass of a link in its mechanism, next to the bar that is assessed with its load: the bar alone has half of its
+/// The mass of a link in its mechanism, next to the bar that is assessed with its load: only the bar has half of its
 /// volume at least, without the bores of its eyes.
 void compare_masses(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   constexpr double least = 0.5;

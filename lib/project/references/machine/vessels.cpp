@@ -32,7 +32,7 @@ const Step* step_with(const Project& project, std::string_view key) {
   return found == project.steps.end() ? nullptr : found->get();
 }
 
-/// Whether the step takes this record as a whole: a size alone leaves out the allowance and the pressure.
+/// Whether the step takes this record as a whole: a size by itself leaves out the allowance and the pressure.
 bool takes_record(const Step& step, std::string_view key) {
   return std::ranges::find(step.input().reading.records, key, &Taken::path) != step.input().reading.records.end();
 }

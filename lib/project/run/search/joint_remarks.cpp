@@ -13,7 +13,7 @@
 namespace loadpath::project {
 
 /// No sizes satisfy the input rules: the rule that is broken at all of them, if there is one. Where the arrangement
-/// takes no sizes at all, the rules are those of the sizes alone.
+/// takes no sizes at all, the rules are only those of the sizes.
 Issue JointSearch::no_sizes() {
   const Message none = say("no combination of sizes satisfies the input rules");
   const std::string& first = sizes_.search(0).path;

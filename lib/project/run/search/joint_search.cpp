@@ -319,7 +319,7 @@ bool JointSearch::excuse_unmoved() {
   return !unmoved.empty();
 }
 
-/// Whether a check or a requirement fails that the search has left out: a part that breaks is no result. Only the
+/// Whether a check or a requirement fails that the search has left out: a part that breaks is not a result. Only the
 /// ranges of methods remain, which no size reaches.
 bool JointSearch::fails_unmoved(const SizeIndices& least) {
   sizes_.set(least);

@@ -80,7 +80,7 @@ class JointSearch {
     bool pass;
   };
   std::optional<Evaluated> last_;
-  // As long as the same checks are excused. What passes depends on the sizes alone, in all arrangements.
+  // As long as the same checks are excused. Whether they pass depends only on the sizes, in all arrangements.
   std::set<SizeIndices> failed_;
   std::map<SizeIndices, bool> places_;  // of sizes, followed by the first of those whose places are checked
 };

@@ -37,8 +37,8 @@ class JointSizes {
   [[nodiscard]] SizeIndices first_from(double size) const;
 
   /// Limits `first_from` to the largest size that each may have next to what is given: a collar, one cylinder with it.
-  /// Sizes that are possible alone are possible together, because each requires only more of its neighbours. Returns
-  /// whether one of them is limited.
+  /// Sizes that are possible separately are possible together, because each requires only more of its neighbours.
+  /// Returns whether one of them is limited.
   bool cap();
 
   /// Selects one of the calculator's arrangements of the sizes, without caps; false if there are no more.

@@ -125,7 +125,7 @@ void ColumnParts::ask(PointColumns& points, std::span<const char> asked_rules) {
   if (axis != nullptr) gather_modes(points);
 }
 
-/// Rules alone: before a search nothing is judged.
+/// Only rules: before a search nothing is assessed.
 void ColumnParts::ask_rules(PointColumns& points, std::span<const char> asked_rules) {
   applies_at.clear();
   survey(points, asked_rules);

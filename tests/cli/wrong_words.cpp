@@ -84,6 +84,12 @@ TEST_SUITE("cli wrong words") {
     }
   }
 
+  TEST_CASE("a mechanism without its model is answered with a template") {
+    CHECK(
+        contains(loadpath_with({"mechanism", "planar"}).error,
+                 "help: write --template \"slider_crank\"; `loadpath describe mechanism.planar templates` lists all"));
+  }
+
   TEST_CASE("misspelt keys of steps and ranges, a list of one value and a far too high utilisation") {
     const auto ran = [](const std::string& text) { return Desk().run({"run", "-"}, text); };
     const std::string shaft = "[a]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\n";

@@ -60,6 +60,11 @@ void show_missing(const Calculator& calculator, const std::string& step, std::si
     if (!value.empty() && value.size() <= longest_value && !refers(value))
       issue->hint = say("for example {1} = {2}", entry->key, value);
   }
+  if (calculator.templates.empty() || std::count_if(begin, issues.end(), lacks_help) < 2) return;
+  // Nothing of the model is given: a template makes it.
+  std::find_if(begin, issues.end(), lacks_help)->hint =
+      say("write template = \"{1}\"; `loadpath describe {2} templates` lists all templates",
+          calculator.templates.front()->id, calculator.id);
 }
 
 }  // namespace loadpath::project

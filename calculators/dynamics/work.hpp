@@ -90,7 +90,7 @@ mu = 0.1
       Field{&Result::s_stop, "s_stop", m,
             "path to a standstill under these forces; none where they drive, or with a "
             "spring"},
-      Field{&Result::u_s, "u_s", ratio, "reach: the work against the motion over the energy that there is"}.check(),
+      Field{&Result::u_s, "u_s", ratio, "reach: work against the motion / available energy"}.check(),
       Field{&Result::g, "g", m_per_s2, "weight per mass of the calculation"}};
 
   static constexpr std::array rules =

@@ -37,7 +37,8 @@ Length neuber_length(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 Length peterson_length(const Input& in, Result& r, Tracer& trace) {
   using std::pow;
-  STEP_TO(r, x_n, (in.R_m / MPa - 560.0) / (2070.0 - 560.0), "of steels from 560 MPa on; to 2070 MPa, own bound");
+  STEP_TO(r, x_n, (in.R_m / MPa - 560.0) / (2070.0 - 560.0),
+          "of steels from 560 MPa on; to 2070 MPa (limit set by loadpath)");
   const double c_P =
       trace.value("c_P", in.loading == Loading::torsion ? 0.6 : 1.0, "0.6 in torsion, not checked against the source");
   return NAMED_STEP("a_P", c_P * 0.0254 * mm * pow(2070.0 * MPa / in.R_m, 1.8),
@@ -49,13 +50,13 @@ double sensitivity(const Input& in, Result& r, Tracer& trace) {
   if (in.sensitivity == Endurance::Sensitivity::cast_iron)
     return trace.value("q", 0.2, "all grades of cast iron, [Shigley6], not checked against the source");
   if (is_set(in.r_n) && in.sensitivity == Endurance::Sensitivity::peterson) {
-    STEP_TO(r, x_r, 0.1 * mm / in.r_n, "sharper notches count as cracks, own bound");
+    STEP_TO(r, x_r, 0.1 * mm / in.r_n, "sharper notches count as cracks (limit set by loadpath)");
     const Length a_P = peterson_length(in, r, trace);
     return NAMED_STEP("q", 1.0 / (1.0 + a_P / in.r_n), "notch sensitivity, Peterson, not checked against the source");
   }
   if (!is_set(in.r_n))
     return NAMED_STEP("q", is_set(in.q) ? in.q : 1.0, is_set(in.q) ? "as given" : "not applicable without a notch");
-  STEP_TO(r, x_r, 0.1 * mm / in.r_n, "sharper notches count as cracks, own bound");
+  STEP_TO(r, x_r, 0.1 * mm / in.r_n, "sharper notches count as cracks (limit set by loadpath)");
   const Length a_N = neuber_length(in, r, trace);
   return NAMED_STEP("q", 1.0 / (1.0 + sqrt(a_N / in.r_n)), "notch sensitivity, Neuber, [Shigley6] (6-34)");
 }
@@ -85,7 +86,7 @@ void size_and_surface(const Input& in, Result& r, Tracer& trace) {
     STEP_TO(r, beta_F, is_set(in.beta_F) ? in.beta_F : 1.0, is_set(in.beta_F) ? "as given" : "polished: no R_z given");
     return;
   }
-  STEP_TO(r, x_Rz, in.R_z / (0.2 * mm), "rougher than a rolled skin, own bound");
+  STEP_TO(r, x_Rz, in.R_z / (0.2 * mm), "rougher than a rolled skin (limit set by loadpath)");
   const double K_F = roughness_factor("K_F", in.R_m, in.R_z, "roughness, [DIN743], [GOST25504]", trace);
   if (in.loading == Loading::torsion) {
     STEP_TO(r, beta_F, 0.575 * K_F + 0.425, "roughness in torsion, [DIN743]");

@@ -157,10 +157,10 @@ R_z = "6.3 um"
       Field{&Result::x_n, "x_n", ratio,
             "position of R_m in the range of the notch sensitivity: 0 at its minimum, 1 at its maximum"}
           .limit(0, 1, "r_n"),
-      Field{&Result::x_r, "x_r", ratio, "0.1 mm over r_n: a sharper notch counts as a crack; own bound"}
+      Field{&Result::x_r, "x_r", ratio, "0.1 mm over r_n: a sharper notch counts as a crack (limit set by loadpath)"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
-      Field{&Result::x_Rz, "x_Rz", ratio, "roughness over 200 um; own bound"}.limit(0, 1, "R_z"),
+      Field{&Result::x_Rz, "x_Rz", ratio, "roughness / 200 um (limit set by loadpath)"}.limit(0, 1, "R_z"),
       Field{&Result::x_T, "x_T", ratio,
             "position of T in the range of the temperature factor: 0 at its minimum, 1 at its maximum"}
           .limit(-1e-9, 1 + 1e-9, "T"),

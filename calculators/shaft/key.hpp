@@ -210,7 +210,7 @@ R_e_k = "420 MPa"
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
       rim_of_gear<Result>(),
-      wall_of_hub<Result>("keyway depth / remaining wall of the hub under the root circle, own bound"),
+      wall_of_hub<Result>("keyway depth / remaining wall of the hub under the root circle (limit set by loadpath)"),
       Group{&Result::notch, "notch", "keyway end, for a notch of shaft.design: part"}.handed_over(),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 

@@ -55,7 +55,7 @@ SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   if (is_set(in.d_s)) {
     STEP_TO(r, x_d, in.d_s / in.d, "a larger screw has no full contact on the shaft");
     STEP_TO(r, x_h, 4.0 * in.F_h / (pi * pow<2>(in.d_s) * (150.0 * MPa)),
-            "upper limit of manufacturers' ratings, own bound");
+            "upper limit of manufacturers' ratings (limit set by loadpath)");
   }
   if (is_set(in.d_f)) {
     const Length s_N = wall_under_root(in, in.d, 0.0 * mm, r, trace);

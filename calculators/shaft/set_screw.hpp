@@ -134,11 +134,12 @@ S = 2
           .limit(0, 0.5 * (1 + 1e-9))
           .where_it_applies(),
       Field{&Result::x_h, "x_h", ratio,
-            "holding force / screw cross section / 150 MPa; screws of [SPS] have 60 to 140 MPa, own bound"}
+            "holding force / screw cross section / 150 MPa; screws of [SPS] have 60 to 140 MPa (limit set by loadpath)"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
       rim_of_gear<Result>(),
-      wall_of_hub<Result>("screw diameter / wall of the hub under the root circle, for the thread length, own bound"),
+      wall_of_hub<Result>(
+          "screw diameter / wall of the hub under the root circle, for the thread length (limit set by loadpath)"),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{

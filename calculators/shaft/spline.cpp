@@ -21,7 +21,7 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   torque_that_counts(in, r, trace);
   const Moment T_eq = r.T_eq;
   STEP_TO(r, d_m, (in.d_1 + in.d_2) / 2.0, "mean diameter of the flanks, [Bhandari-9]");
-  STEP_TO(r, x_s, in.d_2 / in.d_1, "height of the teeth, up to 1.5 in ISO 14 and DIN 5480, own bound");
+  STEP_TO(r, x_s, in.d_2 / in.d_1, "height of the teeth, up to 1.5 in ISO 14 and DIN 5480 (limit set by loadpath)");
   STEP_TO(r, h_w, (in.d_2 - in.d_1) / 2.0 - 2.0 * in.g, "of a flank, without its chamfers");
   const double share = r.share = bearing_share(in, trace);
   STEP_TO(r, F_t, 2.0 * T_eq / d_m, "at the middle of the flanks");

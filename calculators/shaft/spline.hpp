@@ -193,7 +193,7 @@ R_e_2 = "300 MPa"
       Field{&Result::x_s, "x_s", ratio, "d_2/d_1 (ISO 14 and DIN 5480: up to 1.5; limit set by loadpath)"}.limit(0,
                                                                                                                  1.5),
       rim_of_gear<Result>(),
-      wall_of_hub<Result>("tooth depth / wall of the hub under the root circle, own bound"),
+      wall_of_hub<Result>("tooth depth / wall of the hub under the root circle (limit set by loadpath)"),
       Group{&Result::notch, "notch", "spline end, for a notch of shaft.design: part"}.handed_over(),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 

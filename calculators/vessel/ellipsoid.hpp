@@ -63,7 +63,7 @@ sigma_adm = "140 MPa"
       Fields{Field{&Result::a_m, "a_m", mm, "mid-surface semi-axis, across"},
              Field{&Result::b_m, "b_m", mm, "mid-surface semi-axis, along"},
              Field{&Result::r, "r", mm, "distance of the governing location from the axis"},
-             Field{&Result::sigma_pole, "sigma_pole", MPa, "stress at the pole, alike in all directions"},
+             Field{&Result::sigma_pole, "sigma_pole", MPa, "stress at the pole, equal in all directions"},
              Field{&Result::sigma_eq, "sigma_eq", MPa, "hoop stress at the equator; negative is compression"},
              Field{&Result::w_b, "w_b", ratio, "buckling of the knuckle: 0.002 of the crown radius over the thickness"}
                  .limit(0, 1),

@@ -146,13 +146,14 @@ constexpr auto din743_range(double Result::*at, const char* key, const char* doc
 /// Fields of a result with NotchRanges.
 template <class Result>
 constexpr auto notch_ranges() {
-  return Fields{din743_range<Result>(&Result::x_r, "x_r", "0.03 over r/t: shape factors"),
-                din743_range<Result>(&Result::x_D, "x_D", "d/D over 0.98: shape factors"),
-                din743_range<Result>(&Result::x_alpha, "x_alpha", "maximum shape factor over 6"),
-                din743_range<Result>(&Result::x_t, "x_t", "depth of a V-groove over the diameter", 0.05, 0.2),
-                din743_range<Result>(&Result::x_hole, "x_hole", "cross hole over the diameter; own bound", 0.0, 0.3),
-                din743_range<Result>(&Result::x_bore, "x_bore",
-                                     "bore over the diameter: notch factors are of solid shafts", 0.0, 1e-9)};
+  return Fields{
+      din743_range<Result>(&Result::x_r, "x_r", "0.03 over r/t: shape factors"),
+      din743_range<Result>(&Result::x_D, "x_D", "d/D over 0.98: shape factors"),
+      din743_range<Result>(&Result::x_alpha, "x_alpha", "maximum shape factor over 6"),
+      din743_range<Result>(&Result::x_t, "x_t", "depth of a V-groove over the diameter", 0.05, 0.2),
+      din743_range<Result>(&Result::x_hole, "x_hole", "cross hole / diameter (limit set by loadpath)", 0.0, 0.3),
+      din743_range<Result>(&Result::x_bore, "x_bore", "bore over the diameter: notch factors are of solid shafts", 0.0,
+                           1e-9)};
 }
 
 /// Fields of a Din743Safety.
@@ -177,7 +178,7 @@ constexpr auto din743_results() {
              din743_range<Result>(&Result::x_m, "x_m", "equivalent mean stress over the yield limit").criterion(),
              din743_range<Result>(&Result::x_small, "x_small", "7.5 mm / diameter: K_2 and K_3 are given from 7.5 mm"),
              din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 500 mm, where K_1 ends"),
-             din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound")},
+             din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness / 200 um (limit set by loadpath)")},
       notch_ranges<Result>(),
       Fields{ListField<Result, List<Din743Stress, 3>>{&Result::stresses, "stresses",
                                                       "acting loads: tension, bending, torsion"}});

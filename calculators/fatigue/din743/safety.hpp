@@ -177,7 +177,7 @@ void ranges(const Din743Section& s, Length depth, Safety& r, Tracer& trace) {
     STEP_TO(r, x_bore, s.d_bore / s.d, "notch factors are those of solid shafts: type alpha or beta of a hollow one");
   }
   if (needs_roughness(s.notch)) {
-    STEP_TO(r, x_Rz, s.R_z / (0.2 * mm), "rougher than a rolled skin, own bound");
+    STEP_TO(r, x_Rz, s.R_z / (0.2 * mm), "rougher than a rolled skin (limit set by loadpath)");
   }
   if (has_shape_factors(s.notch)) {
     STEP_TO(r, x_r, 0.03 * t / s.r, "r/t from 0.03, [DIN743] part 2 tables 2, 3");

@@ -166,7 +166,7 @@ void fkm_ranges(const Din743Section& s, const FkmService& l, const FkmRoot& root
   STEP_TO(r, x_G, max(x_notch, x_d), "the support factor is given up to 100/mm, [FKM] 2.3");
   if (is_set(l.N)) {
     const double N = l.N;
-    STEP_TO(r, x_N, 1e4 / N, "below 1e4 cycles lives are those of strains, own bound");
+    STEP_TO(r, x_N, 1e4 / N, "below 1e4 cycles lives are those of strains (limit set by loadpath)");
   }
 }
 

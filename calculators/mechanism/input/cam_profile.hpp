@@ -58,7 +58,7 @@ struct CamProfile {
           .positive()
           .may_be_missing(),
       Field{&CamProfile::roller, "roller", mm,
-            "sliding, swinging: radius of the roller that it is made for; 0: an edge"}
+            "sliding, swinging: radius of the roller for which it is made; 0: an edge"}
           .at_least(0),
       Field{&CamProfile::offset, "offset", mm,
             "sliding: of the guide from the cam's axis, to the left as the follower rises; swinging_flat: of the face "

@@ -39,9 +39,10 @@ r = "18 mm"
   struct Input : Flanged {
     Rolling fabrication = Rolling::unsaid;
   };
-  static constexpr auto inputs = join(
-      flanged_inputs<Input>("depth over both flanges", "width of the flanges", "thickness of a flange"),
-      Fields{Choice{&Input::fabrication, "fabrication", "how it was made, for its buckling curves"}.may_be_missing()});
+  static constexpr auto inputs =
+      join(flanged_inputs<Input>("depth over both flanges", "width of the flanges", "thickness of a flange"),
+           Fields{Choice{&Input::fabrication, "fabrication", "manufacture (rolled or welded), for its buckling curves"}
+                      .may_be_missing()});
 
   struct Result : Properties {
     double w_t = unset<double>, w_r = unset<double>;

@@ -82,7 +82,8 @@ struct Seated {
             "formulas apply from 1.2)"}
           .limit(1.2 * (1 - 1e-9), 1e6)
           .where_it_applies(),
-      Field{&Seated::x_R, "x_R", ratio, "keyway depth / remaining wall of the hub under the root circle, own bound"}
+      Field{&Seated::x_R, "x_R", ratio,
+            "keyway depth / remaining wall of the hub under the root circle (limit set by loadpath)"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
       Field{&Seated::x_n, "x_n", ratio, "speed / speed up to which the interference fit is assessed"}

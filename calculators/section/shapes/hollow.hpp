@@ -49,8 +49,7 @@ r_i = "5 mm"
       Field{&Input::t, "t", mm, "wall"}.positive(),
       Field{&Input::r_o, "r_o", mm, "outer radius of the corners; omitted: sharp"}.at_least(0).may_be_missing(),
       Field{&Input::r_i, "r_i", mm, "inner radius of the corners; omitted: sharp"}.at_least(0).may_be_missing(),
-      Choice{&Input::fabrication, "fabrication", "manufacture (hot-finished or cold-formed), for its buckling curve"}
-          .may_be_missing()};
+      Choice{&Input::fabrication, "fabrication", "manufacture, for its buckling curve"}.may_be_missing()};
 
   struct Result : Properties {
     double w = unset<double>;

@@ -37,8 +37,7 @@ t = "5 mm"
       Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(0.1, 1e4),
       Field{&Input::d_i, "d_i", mm, "inner diameter"}.at_least(0).may_be_missing(),
       Field{&Input::t, "t", mm, "wall, in place of d_i"}.positive().may_be_missing(),
-      Choice{&Input::fabrication, "fabrication", "manufacture (hot-finished or cold-formed), for its buckling curve"}
-          .may_be_missing()};
+      Choice{&Input::fabrication, "fabrication", "manufacture, for its buckling curve"}.may_be_missing()};
 
   using Result = Properties;
   static constexpr auto results = results_of_properties;

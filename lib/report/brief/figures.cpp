@@ -168,7 +168,7 @@ figure::Figure marked(const StepFigure& of) {
   return figure;
 }
 
-figure::Figure outlined(const Project& project, figure::Figure figure, const Step& step) {
+figure::Figure outlined(const Project& project, figure::Figure figure, const project::Step& step) {
   if (auto* const shaft = std::get_if<figure::Shaft>(&figure.content)) outline_bearings(project, step, *shaft);
   return figure;
 }

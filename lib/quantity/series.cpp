@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -25,10 +26,22 @@ Point point(const Value& series, std::ptrdiff_t k) {
   return {axis.at[i] + static_cast<double>(turn) * axis.period, series.si[i]};
 }
 
+/// By sums of products with zero, several at once: NaN and infinities do not vanish.
+bool all_finite(const std::vector<double>& si) {
+  constexpr std::size_t width = 8;
+  std::array<double, width> sums{};
+  const double* const x = si.data();
+  std::size_t i = 0;
+  for (; i + width <= si.size(); i += width) {
+    for (std::size_t lane = 0; lane < width; ++lane) sums[lane] += x[i + lane] * 0.0;
+  }
+  for (; i < si.size(); ++i) sums[0] += x[i] * 0.0;
+  return std::all_of(sums.begin(), sums.end(), [](double sum) { return sum == 0.0; });
+}
+
 bool available(const Value& series) {
   const Axis* axis = series.signature.axis;
-  return !series.si.empty() && (axis == nullptr || axis->at.size() == series.si.size()) &&
-         std::all_of(series.si.begin(), series.si.end(), [](double x) { return std::isfinite(x); });
+  return !series.si.empty() && (axis == nullptr || axis->at.size() == series.si.size()) && all_finite(series.si);
 }
 
 bool over_a_cycle(const Value& series) {
@@ -156,13 +169,9 @@ Extreme refined(const Value& series, std::size_t i, double way) {
   return {std::sqrt(std::max(square, 0.0)), on_axis(axis, axis.at[i] + top->at * window.step), i};
 }
 
-/// Whether `way` times the series is nowhere higher in the direct neighbourhood of position i.
-bool is_summit(const Value& series, std::size_t i, double way) {
+/// Whether `way` times the series is nowhere higher beside its first or last position i.
+bool is_summit_at_end(const Value& series, std::size_t i, double way) {
   const std::size_t n = series.si.size();
-  if (i > 0 && i + 1 < n) {  // most positions, at little cost
-    const double* const si = series.si.data() + i;
-    return way * si[-1] <= way * si[0] && way * si[1] <= way * si[0];
-  }
   const bool cyclic = series.signature.axis->cyclic();
   const double here = way * series.si[i];
   const bool left = (i == 0 && !cyclic) || way * series.si[i == 0 ? n - 1 : i - 1] <= here;
@@ -170,22 +179,45 @@ bool is_summit(const Value& series, std::size_t i, double way) {
   return left && right;
 }
 
+/// Calls visit(i) for the positions between the first and the last one where no neighbour is higher.
+template <class IsHigher, class Visit>
+void visit_inner_summits(const std::vector<double>& si, IsHigher is_higher, const Visit& visit) {
+  const std::size_t last = si.size() - 1;
+  for (std::size_t i = 1; i < last; ++i) {
+    while (i < last && is_higher(si[i + 1], si[i])) ++i;
+    if (i >= last) return;
+    if (!is_higher(si[i - 1], si[i])) visit(i);
+    while (i + 1 < last && is_higher(si[i], si[i + 1])) ++i;
+  }
+}
+
+/// Calls visit(i) in the order of the positions.
+template <class Visit>
+void visit_summits(const Value& series, double way, const Visit& visit) {
+  const std::size_t n = series.si.size();
+  if (is_summit_at_end(series, 0, way)) visit(0);
+  if (way > 0.0)
+    visit_inner_summits(series.si, std::greater<>(), visit);
+  else
+    visit_inner_summits(series.si, std::less<>(), visit);
+  if (n > 1 && is_summit_at_end(series, n - 1, way)) visit(n - 1);
+}
+
 /// The tolerance for equally high summits: rounding, or its remainder in a solved position.
 double tie(const Value& series, double height) { return std::max(series.rounding, 1e-12 * std::abs(height)); }
 
-/// The first of equally high summits.
+/// The first of equally high summits; `way` is 1 or -1.
 Extreme extreme(const Value& series, double way) {
   if (!available(series)) return {not_available, not_available, 0};
   if (!series.is_series()) return {series.si.front(), 0.0, 0};
   std::optional<Extreme> best;
-  for (std::size_t i = 0; i < series.si.size(); ++i) {
-    if (!is_summit(series, i, way)) continue;
+  visit_summits(series, way, [&](std::size_t i) {
     const Extreme here = refined(series, i, way);
     if (!best || way * (here.value - best->value) > tie(series, best->value))
       best = here;
     else if (way * here.value > way * best->value)
       best->value = here.value;
-  }
+  });
   return *best;
 }
 

@@ -62,6 +62,33 @@ std::set<std::string> affected_with_bodies(const Project& project, const std::ve
   return affected;
 }
 
+const std::vector<Step*>* body_with(const Step& step, const Bodies& bodies) {
+  const auto has_it = [&](const auto& body) { return std::ranges::find(body, &step) != body.end(); };
+  const auto found = std::ranges::find_if(bodies, has_it);
+  return found == bodies.end() ? nullptr : &*found;
+}
+
+Bodies separable_bodies(const Project& project, const std::set<std::string>& affected) {
+  Bodies bodies;
+  for (const auto& [name, members] : bodies_of(project)) {
+    const auto is_affected = [&](const Step* step) { return affected.contains(step->name()); };
+    if (std::ranges::none_of(members, is_affected)) continue;
+    std::set<std::string> takers;
+    for (const Step* const step : members) takers.insert(step->name());
+    add_takers(project, takers);
+    std::vector<Step*>& ordered = bodies.emplace_back();
+    bool has_taker = false;
+    for (const std::size_t i : project.order) {
+      Step* const step = project.steps[i].get();
+      const bool is_member = std::ranges::find(members, step) != members.end();
+      if (is_member && has_taker) return {};
+      if (is_member) ordered.push_back(step);
+      has_taker = has_taker || (!is_member && takers.contains(step->name()));
+    }
+  }
+  return bodies;
+}
+
 bool BodyColumns::lay_out(const Project& project, const std::set<std::string>& affected) {
   *this = {};
   for (const auto& [body, members] : bodies_of(project)) {

@@ -20,6 +20,12 @@ namespace loadpath::project {
 /// Of a project that was solved at one point.
 std::set<std::string> affected_with_bodies(const Project& project, const std::vector<SweptInput>& inputs);
 
+using Bodies = std::vector<std::vector<Step*>>;
+/// The bodies of affected steps, each in order of evaluation; none if a step between theirs takes from them.
+Bodies separable_bodies(const Project& project, const std::set<std::string>& affected);
+/// The body that a step is of; null if there is none.
+const std::vector<Step*>* body_with(const Step& step, const Bodies& bodies);
+
 class BodyColumns {
  public:
   /// Of a project that was solved at one point. False if its bodies have to be solved point by point.

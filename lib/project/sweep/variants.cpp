@@ -4,6 +4,8 @@
 #include "lib/project/references/machine/machine.hpp"
 #include "lib/project/references/machine/same_part.hpp"
 #include "lib/project/references/origins.hpp"
+#include "lib/project/solving/bodies.hpp"
+#include "lib/project/solving/body_facts.hpp"
 #include "lib/project/solving/elements.hpp"
 #include "lib/project/solving/solve.hpp"
 #include "lib/project/sweep/points/alone.hpp"
@@ -150,7 +152,9 @@ void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   const bool solved_twice = project_.passes.size() != project_.order.size() || !project_.beforehand.empty();
   const bool hangs_on_others = leaves_modes(project_) || leaves_elements(project_) || solved_twice;
   if (!hangs_on_others && !solve_first(in, n)) return;
-  way_ = !hangs_on_others && find_kernels() ? Way::columns : Way::alone;
+  const bool has_kernels = !hangs_on_others && (find_kernels(false) || find_kernels(true));
+  way_ = has_kernels ? Way::columns : Way::alone;
+  if (!has_kernels) kernels_.clear();
 }
 
 /// Whether another value at a path may come with another point: of an input that varies or is computed, of a result.
@@ -176,14 +180,13 @@ bool compares_with_others(const Step& step, const Project& project, const std::s
   return std::ranges::any_of(reads.paths(), [&](const auto& path) { return may_vary(project, path, affected); });
 }
 
-/// Kernels of all steps; false if one of them takes more from others than numbers, or columns would bring no gain.
-bool Variants::find_kernels() {
-  const std::set<std::string> affected = affected_with_bodies(project_, axes_);
-  if (!bodies_.lay_out(project_, affected)) return false;
-  std::set<std::string> referred = wanted_.taken;
-  referred.insert(wanted_.compared.begin(), wanted_.compared.end());
-  referred.insert(bodies_.paths().begin(), bodies_.paths().end());
-  for (const std::string& path : referred) {
+/// The values that columns read; false if one of them is a series that has no value here.
+bool Variants::find_referred() {
+  points_ = {};
+  referred_ = wanted_.taken;
+  referred_.insert(wanted_.compared.begin(), wanted_.compared.end());
+  referred_.insert(bodies_.paths().begin(), bodies_.paths().end());
+  for (const std::string& path : referred_) {
     const Value* const value = project_.value(path);
     if (value == nullptr || value->si.empty()) {  // it may have one at another point
       const auto signature = project_.signature(path);
@@ -194,29 +197,66 @@ bool Variants::find_kernels() {
     points_.signatures[path] = value->signature;
     if (!value->is_series()) points_.constants[path] = value->si[0];
   }
-  bool brings = false;
+  return true;
+}
+
+/// Kernels of all steps; false if one of them takes more from others than numbers, or columns would bring no gain.
+/// `by_bodies`: the steps of a body are solved together, point by point.
+bool Variants::find_kernels(bool by_bodies) {
+  const std::set<std::string> affected = affected_with_bodies(project_, axes_);
+  kernels_.clear();
+  bodies_ = {};
+  solved_together_ = by_bodies ? separable_bodies(project_, affected) : Bodies{};
+  const bool can_do = by_bodies ? !solved_together_.empty() : bodies_.lay_out(project_, affected);
+  if (!can_do || !find_referred()) return false;
+  bool brings = by_bodies;
   for (const std::size_t i : project_.order) {
     Step& step = *project_.steps[i];
     auto* const calculator = dynamic_cast<CalculatorStep*>(&step);
     std::unique_ptr<PointStep> kernel;
-    if (affected.contains(step.name()) &&
-        (compares_with_others(step, project_, affected) || takes_sizes(step, project_))) {
-      kernels_.clear();
-      return false;
+    const bool is_affected = affected.contains(step.name());
+    if (is_affected && (compares_with_others(step, project_, affected) || takes_sizes(step, project_))) return false;
+    if (body_with(step, solved_together_) != nullptr) {
+      if (!add_body_step(step)) return false;
+      continue;
     }
-    if (!affected.contains(step.name())) kernel = ConstantStep::of(step, referred, points_);
-    if (!kernel && calculator != nullptr) kernel = ColumnStep::of(*calculator, referred, points_);
+    if (!is_affected) kernel = ConstantStep::of(step, referred_, points_);
+    if (!kernel && calculator != nullptr) kernel = ColumnStep::of(*calculator, referred_, points_);
     brings = brings || kernel != nullptr;
-    if (!kernel) kernel = AloneStep::of(step, wanted_, referred, points_);
-    if (!kernel || !bodies_.take(step, kernel.get())) {
-      kernels_.clear();
-      return false;
-    }
+    if (!kernel) kernel = AloneStep::of(step, wanted_, referred_, points_);
+    if (!kernel || !bodies_.take(step, kernel.get())) return false;
     kernels_.push_back(std::move(kernel));
   }
   points_.speeds_matter = std::any_of(kernels_.begin(), kernels_.end(), [](const auto& k) { return k->reads_axes(); });
   modes_.resize(kernels_.size());
   return brings;
+}
+
+/// A place for a step of a body; in that of the last one all are solved.
+bool Variants::add_body_step(Step& step) {
+  const std::vector<Step*>& body = *body_with(step, solved_together_);
+  if (&step != body.back()) {
+    kernels_.push_back(std::make_unique<EarlierStep>());
+    return true;
+  }
+  std::vector<AloneBody::Member> members;
+  for (Step* const one : body) {
+    AloneBody::Member& member = members.emplace_back();
+    member.step = AloneStep::of_body(*one, body, wanted_, referred_, points_);
+    if (!member.step) return false;
+    const auto is_it = [&](std::size_t i) { return project_.steps[i].get() == one; };
+    const auto place = static_cast<std::size_t>(std::ranges::find_if(project_.order, is_it) - project_.order.begin());
+    if (one != &step) member.modes = [this, place]() -> AloneBody::Modes& { return modes_[place]; };
+  }
+  kernels_.push_back(std::make_unique<AloneBody>(std::move(members), [this] { return hand_out_in_bodies(); }));
+  return true;
+}
+
+AloneBody::Handed Variants::hand_out_in_bodies() {
+  std::vector<Issue> issues;
+  const bool again = hand_out_sizes(project_, issues) || hand_out_facts(project_, issues);
+  if (has_errors(issues)) return AloneBody::Handed::contradicts;
+  return again ? AloneBody::Handed::again : AloneBody::Handed::settled;
 }
 
 void Variants::solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
@@ -230,9 +270,12 @@ void Variants::solve_columns(std::span<const double* const> in, std::span<double
       put(target.step->name() + "." + target.step->input().reading.varied[target.varied].path);
   }
   if (!run_kernels()) return;  // their series have other places: one by one
+  if (expressions_.empty()) {
+    for (const SweptResult& column : columns_) expressions_.emplace_back(column.expression, points_.signatures);
+  }
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     if (columns_[k].kind != SweptResult::Kind::expression) continue;
-    if (!PointExpression(columns_[k].expression, points_.signatures).fill(points_, {out[k], n}))
+    if (!expressions_[k].fill(points_, {out[k], n}))
       std::fill(points_.is_other.begin(), points_.is_other.end(), char{1});
   }
   read_verdicts(out, n);

@@ -5,6 +5,7 @@
 #include "lib/project/sweep/axes.hpp"
 #include "lib/project/sweep/body_columns.hpp"
 #include "lib/project/sweep/columns.hpp"
+#include "lib/project/sweep/points/alone_body.hpp"
 #include "lib/project/sweep/points/point_step.hpp"
 #include "lib/sweep/function.hpp"
 
@@ -46,7 +47,10 @@ class Variants final : public sweep::Function {
   bool run_kernels();
   bool solve_first(std::span<const double* const> in, std::size_t n);
   void find_way(std::span<const double* const> in, std::size_t n);
-  bool find_kernels();
+  bool find_kernels(bool by_bodies);
+  bool find_referred();
+  bool add_body_step(Step& step);
+  AloneBody::Handed hand_out_in_bodies();
   [[nodiscard]] std::size_t batch() const;
   void read_verdicts(std::span<double* const> out, std::size_t n);
   void find_modes_of_columns();
@@ -67,9 +71,12 @@ class Variants final : public sweep::Function {
   std::vector<std::unique_ptr<PointStep>> kernels_;  // in order of evaluation
   PointColumns points_;
   BodyColumns bodies_;
+  Bodies solved_together_;           // bodies that are solved point by point
+  std::set<std::string> referred_;   // full paths of values that are read
   std::vector<const double*> from_;  // columns of a batch
   std::vector<double*> to_;
   std::vector<std::vector<account::ModeColumns>> modes_;             // modes of each step in order of evaluation
+  std::vector<PointExpression> expressions_;                         // of each column
   std::vector<std::vector<const account::ModeColumns*>> of_column_;  // modes of each column
   std::vector<Refusal> refusals_;
   std::size_t alone_ = 0;

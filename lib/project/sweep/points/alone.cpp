@@ -1,5 +1,6 @@
 #include "lib/project/sweep/points/alone.hpp"
 
+#include "lib/project/project.hpp"
 #include "lib/project/references/sources.hpp"
 #include "lib/project/run/calculator_step.hpp"
 #include "lib/sweep/nan.hpp"
@@ -28,9 +29,15 @@ AloneStep::AloneStep(Step& step, const Wanted& wanted) : step_(step), wanted_(wa
 
 std::unique_ptr<AloneStep> AloneStep::of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
                                          const PointColumns& points) {
+  return of_body(step, {}, wanted, referred, points);
+}
+
+std::unique_ptr<AloneStep> AloneStep::of_body(Step& step, const std::vector<Step*>& body, const Wanted& wanted,
+                                              const std::set<std::string>& referred, const PointColumns& points) {
   const auto* const calculator = dynamic_cast<const CalculatorStep*>(&step);
   if (!takes_numbers(step)) return nullptr;
   std::unique_ptr<AloneStep> alone(new AloneStep(step, wanted));
+  alone->body_ = body;
   const auto refer_to = [&](const std::string& path) { alone->refer_to(path, points); };
   for_each_reference(step.input().reading, refer_to);
   for_each_compared(step.input(), refer_to);
@@ -50,20 +57,30 @@ std::unique_ptr<AloneStep> AloneStep::of(Step& step, const Wanted& wanted, const
 
 void AloneStep::refer_to(const std::string& path, const PointColumns& points) {
   const auto signature = points.signatures.find(path);
-  if (signature != points.signatures.end()) referred_[path] = {signature->second, {}};
+  if (signature != points.signatures.end() && in_body(path) == nullptr) referred_[path] = {signature->second, {}};
+}
+
+/// The other step of the body that a path is of.
+const Step* AloneStep::in_body(const std::string& path) const {
+  const std::string name = split_step(path).first;
+  const auto found = std::ranges::find_if(body_, [&](const Step* other) { return other->name() == name; });
+  return found == body_.end() || *found == &step_ ? nullptr : *found;
 }
 
 Known AloneStep::known() const {
   static const Value none{{}, {nan}};
   return {.value = [this](const std::string& path) -> const Value& {
             const auto found = referred_.find(path);
-            return found == referred_.end() ? none : found->second;
+            if (found != referred_.end()) return found->second;
+            const Step* const other = in_body(path);
+            const Value* const value = other == nullptr ? nullptr : other->value(split_step(path).second);
+            return value == nullptr ? none : *value;
           },
           .word = [](const std::string&) { return std::string(); },
           .within = [](const std::string&) { return std::vector<std::pair<std::string, const Entry*>>(); }};
 }
 
-void AloneStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {
+void AloneStep::start(PointColumns& points, std::vector<account::ModeColumns>& modes) {
   modes.resize(step_.input().calculator->modes.size());
   for (account::ModeColumns& mode : modes) {
     mode.state.assign(points.count, account::absent_state);
@@ -73,11 +90,25 @@ void AloneStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>
     if (told.signature.axis == nullptr) points.values[told.path].assign(points.count, nan);
   }
   axes_.clear();
+}
+
+bool AloneStep::solve_at(PointColumns& points, std::size_t point) {
+  return set_inputs(points, point) && solve(points, point);
+}
+
+bool AloneStep::take(PointColumns& points, std::size_t point, std::vector<account::ModeColumns>& modes) {
+  const bool taken = take_modes(point, modes) && take_values(points, point);
+  if (!keeps_axes(points.speeds_matter)) points.axes_differ = true;
+  return taken;
+}
+
+void AloneStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {
+  start(points, modes);
   for (std::size_t point = 0; point < points.count; ++point) {
     if (points.is_other[point] != 0) continue;
-    const bool solved = set_inputs(points, point) && solve(points, point);
-    if (!solved || !take_modes(point, modes) || !take_values(points, point)) points.is_other[point] = 1;
-    if (!keeps_axes(points.speeds_matter)) points.axes_differ = true;
+    const bool solved = solve_at(points, point);
+    if (!solved || !take(points, point, modes)) points.is_other[point] = 1;
+    if (!solved && !keeps_axes(points.speeds_matter)) points.axes_differ = true;
   }
 }
 
@@ -90,9 +121,12 @@ bool AloneStep::keeps_axes(bool with_speed) {
   const auto same = [with_speed](const Axis& a, const Axis& b) {
     return a.at == b.at && a.share == b.share && a.period == b.period && (!with_speed || a.speed == b.speed);
   };
+  const Axis* before = nullptr;  // most series lie over one axis
   return std::all_of(told_.begin(), told_.end(), [&](const Told& told) {
     const Axis* const axis = told.signature.axis;
-    return axis == nullptr || same(axes_.try_emplace(axis, *axis).first->second, *axis);
+    if (axis == nullptr || axis == before) return true;
+    before = axis;
+    return same(axes_.try_emplace(axis, *axis).first->second, *axis);
   });
 }
 

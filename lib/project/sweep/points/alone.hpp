@@ -18,14 +18,23 @@ class AloneStep final : public PointStep {
   /// steps, valid as long as this object lives. `referred`: full paths of values that expressions refer to.
   static std::unique_ptr<AloneStep> of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
                                        const PointColumns& points);
+  /// The same of a step of a body; values of its other steps are read where they are, at each point.
+  static std::unique_ptr<AloneStep> of_body(Step& step, const std::vector<Step*>& body, const Wanted& wanted,
+                                            const std::set<std::string>& referred, const PointColumns& points);
 
   void evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) override;
+  /// The parts of that: before all points, at a point, where false hands it over, and what is taken of its solution.
+  void start(PointColumns& points, std::vector<account::ModeColumns>& modes);
+  bool solve_at(PointColumns& points, std::size_t point);
+  bool take(PointColumns& points, std::size_t point, std::vector<account::ModeColumns>& modes);
+  [[nodiscard]] Step& step() const { return step_; }
   [[nodiscard]] bool reads_axes() const override;
 
  private:
   AloneStep(Step& step, const Wanted& wanted);
   void refer_to(const std::string& path, const PointColumns& points);
   [[nodiscard]] Known known() const;
+  [[nodiscard]] const Step* in_body(const std::string& path) const;
   bool set_inputs(const PointColumns& points, std::size_t point);
   bool solve(PointColumns& points, std::size_t point);
   bool take_values(PointColumns& points, std::size_t point);
@@ -40,7 +49,8 @@ class AloneStep final : public PointStep {
 
   Step& step_;
   const Wanted& wanted_;
-  std::map<std::string, Value> referred_;  // values of other steps, at the point
+  std::vector<Step*> body_;                // other steps of its body
+  std::map<std::string, Value> referred_;  // values of all others, at the point
   std::vector<Told> told_;
   std::map<const Axis*, Axis> axes_;  // axes of the published values, as they were at the first point
 };

@@ -50,6 +50,13 @@ Value PointExpression::at(PointColumns& points, std::size_t point) {
 
 bool PointExpression::fill(PointColumns& points, std::span<double> out) {
   if (!reads_series_) return expression_.evaluate([&](const std::string& path) { return points.of(path); }, out);
+  if (is_same_everywhere(points)) {
+    const auto first = std::ranges::find(points.is_other, char{0});
+    if (first == points.is_other.end()) return true;
+    if (!same_) same_ = at(points, static_cast<std::size_t>(first - points.is_other.begin())).si[0];
+    std::ranges::fill(out, *same_);
+    return true;
+  }
   for (std::size_t point = 0; point < out.size(); ++point)
     out[point] = points.is_other[point] != 0 ? nan : at(points, point).si[0];
   return true;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -58,6 +59,7 @@ class PointExpression {
   const Expression& expression_;
   std::vector<std::pair<std::string, Value>> referred_;
   bool reads_series_ = false;
+  std::optional<double> same_;  // the value that it has at every point
 };
 
 /// The positions of an axis; 1 if there is none.

@@ -88,7 +88,7 @@ namespace {
 
 Quantity quantity_of(const account::Entry& entry, const project::Step& step, const std::string& prefix) {
   Quantity q;
-  const Value& value = entry.value;
+  const Value& value = entry.values();
   const FieldInfo* const field = step.field(entry.path);
   q.name = prefix + entry.path;
   q.meaning = entry.doc;

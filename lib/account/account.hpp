@@ -7,6 +7,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/series.hpp"
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -50,6 +51,9 @@ struct Entry {
   Message missing = {};      // reason for a missing value, or for missing positions; empty: "not available"
   bool brief = true;         // results only: worth a line where there is little room
   bool handed_over = false;  // results only: of a record for other steps, shown where they take it
+  std::shared_ptr<const Value> series = {};  // inputs only: an entire series, then `value` has no numbers
+
+  [[nodiscard]] const Value& values() const { return series == nullptr ? value : *series; }
 };
 
 /// Whether it is unknown at all positions.

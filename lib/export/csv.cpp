@@ -48,21 +48,21 @@ class Column {
 std::vector<const Entry*> chosen_series(const project::Step& step, const SeriesChoice& choice) {
   std::vector<const Entry*> series;
   for (const Entry& e : step.account().results) {
-    if (e.value.is_series() && choice.holds(step.name(), e.path)) series.push_back(&e);
+    if (e.values().is_series() && choice.holds(step.name(), e.path)) series.push_back(&e);
   }
   return series;
 }
 
 /// All of one axis.
 std::string table_of(const std::vector<const Entry*>& series) {
-  const Axis& axis = *series.front()->value.signature.axis;
+  const Axis& axis = *series.front()->values().signature.axis;
   std::string text = axis.quantity + " [" + axis.unit + "]";
   std::vector<Column> columns{{axis.at, 0.0, axis.unit}};
   columns.reserve(series.size() + 1);
   for (const Entry* e : series) {
-    if (e->value.signature.axis != &axis) continue;
+    if (e->values().signature.axis != &axis) continue;
     text += "," + e->path + " [" + e->unit + "]";
-    columns.emplace_back(e->value.si, e->value.rounding, e->unit);
+    columns.emplace_back(e->values().si, e->values().rounding, e->unit);
   }
   text += "\n";
   constexpr std::size_t usual = 16;  // length of a cell

@@ -30,9 +30,9 @@ void write_value(double si, const Message& missing, JsonWriter& out) {
 }
 
 void write_series(const Entry& e, JsonWriter& out) {
-  const auto& si = e.value.si;
-  out.member("axis", e.value.signature.axis->name());
-  out.key("values").write(si, e.value.rounding);
+  const auto& si = e.values().si;
+  out.member("axis", e.values().signature.axis->name());
+  out.key("values").write(si, e.values().rounding);
   const bool complete = std::all_of(si.begin(), si.end(), [](double x) { return std::isfinite(x); });
   if (!complete) out.member("reason", e.missing.empty() ? "not available where null" : e.missing.text());
 }
@@ -71,11 +71,11 @@ void write_entry(const Entry& e, JsonWriter& out) {
   if (!e.word.empty()) {
     out.member("value", e.word);
   } else {
-    out.member("unit", unit_name(e.value.signature.dimension));
-    if (e.value.is_series())
+    out.member("unit", unit_name(e.values().signature.dimension));
+    if (e.values().is_series())
       write_series(e, out);
     else
-      write_value(e.value.si.empty() ? NAN : e.value.si[0], e.missing, out);
+      write_value(e.values().si.empty() ? NAN : e.values().si[0], e.missing, out);
   }
   out.member("meaning", e.doc);
   if (!e.origin.text.empty()) out.member("from", e.origin.text.text());
@@ -206,7 +206,7 @@ void write_derivation(const std::vector<account::Derived>& lines, JsonWriter& ou
 std::vector<const Axis*> axes_of(const account::Account& account) {
   std::vector<const Axis*> axes;
   for (const Entry& e : account.results) {
-    const Axis* axis = e.value.signature.axis;
+    const Axis* axis = e.values().signature.axis;
     if (axis != nullptr && std::find(axes.begin(), axes.end(), axis) == axes.end()) axes.push_back(axis);
   }
   return axes;
@@ -237,7 +237,7 @@ void write_step(const project::Step& step, const SeriesChoice& choice, JsonWrite
   if (const auto axes = axes_of(account); !axes.empty()) write_axes(axes, out);
   out.key("results").open_object();
   for (const Entry& e : account.results) {
-    if (!e.value.is_series() || choice.holds(step.name(), e.path)) write_entry(e, out);
+    if (!e.values().is_series() || choice.holds(step.name(), e.path)) write_entry(e, out);
   }
   out.close_object();
   write_verdicts(account.verdicts, out);

@@ -81,7 +81,7 @@ bool agrees(const Step& judge, const std::string& beside, const Step& part, cons
   }
   const Value* const given = part.value(member.path);
   const bool open = given == nullptr || std::ranges::all_of(given->si, [](double x) { return std::isnan(x); });
-  return !has_field || open || (input != inputs.end() && is_same(input->value.si, given->si));
+  return !has_field || open || (input != inputs.end() && is_same(input->values().si, given->si));
 }
 
 /// The names of a record of a part: an element of a list by its index, and by its name.

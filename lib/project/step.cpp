@@ -48,7 +48,7 @@ const Value* Step::value(const std::string& path) const {
   for (const auto* entries : {&account_.results, &account_.inputs}) {
     const auto same = std::find_if(entries->begin(), entries->end(), [&](const Entry& e) { return e.path == path; });
     const Entry* found = same == entries->end() ? numbered_entry(*entries, path) : &*same;
-    if (found != nullptr && !found->value.si.empty()) return &found->value;
+    if (found != nullptr && !found->values().si.empty()) return &found->values();
   }
   return nullptr;
 }
@@ -303,7 +303,10 @@ std::vector<Entry> input_entries(const Record& record,
     if (field.type == FieldInfo::Type::choice) entry.word = word_of(leaf);
     entry.is_factor = field.is_factor;
     if (field.get != nullptr) entry.value.si = {leaf.get()};
-    if (const Value* const series = field.takes_whole() ? field.series(leaf.owner) : nullptr) entry.value = *series;
+    if (const Value* const series = field.takes_whole() ? field.series(leaf.owner) : nullptr) {
+      entry.value = {series->signature, {}, series->rounding};
+      entry.series = std::shared_ptr<const Value>(record.data, series);  // as long as the record, which has it
+    }
     const bool unnamed = (is_text || field.type == FieldInfo::Type::choice) && entry.word.empty();
     const bool open = field.type == FieldInfo::Type::quantity && entry.origin.text.empty();
     if (!unnamed && !open) entries.push_back(std::move(entry));

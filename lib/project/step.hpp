@@ -236,7 +236,8 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
 std::optional<Value> evaluate_operand(const Operand& operand, const std::string& step, const Known& known,
                                       std::vector<Issue>& issues);
 
-/// The inputs of a record as entries, except open and unnamed ones. `origin` gives the origin of a leaf.
+/// The inputs of a record as entries, except open and unnamed ones. `origin` gives the origin of a leaf. An entire
+/// series, which may have millions of values, is that of the record: it gets no other one from then on.
 std::vector<Entry> input_entries(const Record& record,
                                  const std::function<Origin(const std::string& path, const Leaf& leaf)>& origin);
 /// "given" if it was typed, "default" if it has a value anyway.

@@ -30,16 +30,16 @@ std::string set(std::string text) {
 /// A number, a word, or for a series its value of the largest magnitude.
 std::string short_text(const Entry& entry) {
   if (!entry.word.empty()) return entry.word;
-  if (entry.value.si.empty()) return {};
-  if (!entry.value.is_series() || is_constant(entry.value))
-    return format_quantity(entry.value.si.front(), entry.unit, digits);
-  const double low = minimum(entry.value).value, high = maximum(entry.value).value;
+  if (entry.values().si.empty()) return {};
+  if (!entry.values().is_series() || is_constant(entry.values()))
+    return format_quantity(entry.values().si.front(), entry.unit, digits);
+  const double low = minimum(entry.values()).value, high = maximum(entry.values()).value;
   return say("up to {1}", format_quantity(std::fabs(low) > std::fabs(high) ? low : high, entry.unit, digits)).text();
 }
 
 /// A row of a table may leave a size out that other rows have: a square tube has no diameter.
 bool is_known(const Entry& entry) {
-  return !entry.word.empty() || (!entry.value.si.empty() && !std::isnan(entry.value.si.front()));
+  return !entry.word.empty() || (!entry.values().si.empty() && !std::isnan(entry.values().si.front()));
 }
 
 /// A size with its symbol; a long path gets a line of its own, because a column for it would leave no space for the
@@ -193,8 +193,8 @@ class Taking {
         return reference.path.starts_with(record.source + ".");
       });
       const Entry* const found = is_of ? entry(operand.path) : nullptr;
-      const bool counts = found != nullptr && !found->value.si.empty() && !short_text(*found).empty() &&
-                          std::fabs(maximum(found->value).value) + std::fabs(minimum(found->value).value) > 0.0;
+      const bool counts = found != nullptr && !found->values().si.empty() && !short_text(*found).empty() &&
+                          std::fabs(maximum(found->values()).value) + std::fabs(minimum(found->values()).value) > 0.0;
       if (counts) return named(operand.path) + ", …";
     }
     return record.path.empty() ? record.source : record.path;

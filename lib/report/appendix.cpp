@@ -35,11 +35,11 @@ Cell origin_cell(const account::Origin& origin) {
 
 /// Whether a line of the calculation ends with this result, by a formula and with words that say what it is.
 bool is_calculated(const Entry& entry, const Lines& lines) {
-  if (!entry.word.empty() || entry.value.is_series() || entry.value.si.empty()) return false;
+  if (!entry.word.empty() || entry.values().is_series() || entry.values().si.empty()) return false;
   return std::ranges::any_of(lines, [&](const account::Derived& line) {
     const bool is_explained = !line.step.formula.empty() && !line.step.why.empty();
     return is_explained && line.scope.empty() && line.step.symbol == entry.path && line.step.value.unit == entry.unit &&
-           line.step.value.si == entry.value.si.front();
+           line.step.value.si == entry.values().si.front();
   });
 }
 
@@ -91,8 +91,8 @@ Table input_table(const Account& account) {
 
 /// Whether a default says that something is absent: no teeth, a choice for parts that there are not.
 bool says_nothing(const Entry& entry, const FieldInfo* field) {
-  if (!entry.origin.assumed || entry.value.is_series()) return false;
-  if (entry.word.empty()) return entry.value.si.empty() || entry.value.si.front() == 0.0;
+  if (!entry.origin.assumed || entry.values().is_series()) return false;
+  if (entry.word.empty()) return entry.values().si.empty() || entry.values().si.front() == 0.0;
   return field != nullptr && field->optional;
 }
 
@@ -178,8 +178,8 @@ std::string justified_value(const Step& step, const std::string& input) {
   const auto entry = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.path == input; });
   if (entry == entries.end()) return "";
   if (!entry->word.empty()) return entry->word;
-  const bool is_number = entry->value.si.size() == 1 && std::isfinite(entry->value.si.front());
-  return is_number ? format_quantity(entry->value.si.front(), entry->unit, 5) : "";
+  const bool is_number = entry->values().si.size() == 1 && std::isfinite(entry->values().si.front());
+  return is_number ? format_quantity(entry->values().si.front(), entry->unit, 5) : "";
 }
 
 /// Reasons for values, also for those that only other steps or [values] contradict.
@@ -332,18 +332,20 @@ bool is_safety(const Entry& entry) {
 Cell cell_of(const Entry& entry) {
   constexpr double most_safety = 1000.0;  // above, the value says only that the stress is small
   if (!entry.word.empty()) return entry.word;
-  if (!entry.value.is_series()) {
-    const double si = entry.value.si.empty() ? NAN : entry.value.si[0];
+  if (!entry.values().is_series()) {
+    const double si = entry.values().si.empty() ? NAN : entry.values().si[0];
     if (std::isnan(si) && !entry.missing.empty()) return say("not available: {1}", entry.missing);
     if (std::isfinite(si) && si > most_safety && is_safety(entry)) return safety_number(si);
     return Quantity{si, entry.unit};
   }
-  if (is_constant(entry.value)) return Quantity{entry.value.si.front(), entry.unit};
-  const double low = minimum(entry.value).value, high = maximum(entry.value).value;
+  if (is_constant(entry.values())) return Quantity{entry.values().si.front(), entry.unit};
+  const double low = minimum(entry.values()).value, high = maximum(entry.values()).value;
   return say("{1} to {2}", format_quantity(low, entry.unit, 5), format_quantity(high, entry.unit, 5));
 }
 
-bool is_available(const Entry& e) { return !e.word.empty() || (!e.value.si.empty() && !std::isnan(e.value.si[0])); }
+bool is_available(const Entry& e) {
+  return !e.word.empty() || (!e.values().si.empty() && !std::isnan(e.values().si[0]));
+}
 
 Table citations(const std::set<std::string>& keys) {
   Table sources{say("References"), {}, {}};

@@ -70,20 +70,20 @@ Kind kind_of(const Entry& entry, bool is_input) {
 
 std::string text_of(const Entry& entry) {
   if (!entry.word.empty()) return entry.word;
-  const std::string text = format_quantity(peak_of(entry.value), entry.unit);
-  return entry.value.is_series() ? "peak " + text : text;
+  const std::string text = format_quantity(peak_of(entry.values()), entry.unit);
+  return entry.values().is_series() ? "peak " + text : text;
 }
 
 /// Nothing if both say the same.
 std::optional<Difference> difference_of(const Entry& before, const Entry& after, bool is_input) {
   const bool words = !before.word.empty() || !after.word.empty();
-  if (words ? before.word == after.word : same(before.value, after.value)) return std::nullopt;
+  if (words ? before.word == after.word : same(before.values(), after.values())) return std::nullopt;
   Difference found{kind_of(after, is_input), after.path, text_of(before),
                    text_of(after),           {},         before.brief || after.brief};
   if (words) return found;
-  const double was = peak_of(before.value), is = peak_of(after.value);
+  const double was = peak_of(before.values()), is = peak_of(after.values());
   std::tie(found.before, found.after) = texts_of(was, is, after.unit);
-  if (before.value.is_series() || after.value.is_series()) {
+  if (before.values().is_series() || after.values().is_series()) {
     const bool in_between = found.before == found.after;
     found.before = "peak " + found.before, found.after = "peak " + found.after;
     if (in_between) found.after += ", elsewhere other";

@@ -28,7 +28,7 @@ bool is_named(const char* names, const std::string& name) {
 
 double value_in(const std::vector<Entry>& entries, const char* key) {
   const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.path == key; });
-  return entry == entries.end() ? unknown : largest_magnitude(entry->value);
+  return entry == entries.end() ? unknown : largest_magnitude(entry->values());
 }
 
 /// The value of an input, of a choice its index; NaN if it is open.

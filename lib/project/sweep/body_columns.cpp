@@ -38,7 +38,7 @@ bool has_open_search(const Step& step) {
   const auto* const calculator = dynamic_cast<const CalculatorStep*>(&step);
   return calculator == nullptr || std::ranges::any_of(calculator->searches(), [&](const Search& search) {
            const Entry* const entry = entry_of(step.account().inputs, search.path);
-           return entry == nullptr || std::isnan(largest_magnitude(entry->value));
+           return entry == nullptr || std::isnan(largest_magnitude(entry->values()));
          });
 }
 
@@ -111,7 +111,7 @@ std::optional<BodyColumns::Number> BodyColumns::number(const Project& project, c
   const Entry* const entry = entry_of(is_result ? step.account().results : step.account().inputs, key);
   std::string path = step.name() + "." + key;
   const Value* const value = project.value(path);
-  if (entry == nullptr || value == nullptr || value->si != entry->value.si) {
+  if (entry == nullptr || value == nullptr || value->si != entry->values().si) {
     is_sound_ = false;
     return std::nullopt;
   }

@@ -46,7 +46,7 @@ bool is_in_last_line(const Reasons& reasons, const Entry& entry) {
 const Entry* required_safety(const Reasons& reasons) {
   for (const Entry* const entry : reasons.inputs) {
     const bool is_safety = entry->is_factor && entry->doc.find("safety factor") != std::string::npos;
-    if (is_safety && !entry->value.si.empty() && is_in_last_line(reasons, *entry)) return entry;
+    if (is_safety && !entry->values().si.empty() && is_in_last_line(reasons, *entry)) return entry;
   }
   return nullptr;
 }
@@ -68,7 +68,7 @@ struct Safety {
 std::optional<Safety> safety_of(const Reasons& reasons, const Mode& mode) {
   const Entry* const required = required_safety(reasons);
   if (required == nullptr) return std::nullopt;
-  const double factor = required->value.si.front();
+  const double factor = required->values().si.front();
   return Safety{factor / *mode.utilisation, factor};
 }
 

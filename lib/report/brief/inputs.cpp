@@ -29,8 +29,8 @@ bool is_of_list(const Entry& entry) { return entry.path.find_first_of("[.") != s
 /// A coordinate of zero says little.
 bool is_zero_of_list(const Entry& entry) {
   constexpr double rounding = 1e-15;  // in SI units: the cosine of a right angle
-  return is_of_list(entry) && entry.word.empty() && !entry.value.is_series() && !entry.value.si.empty() &&
-         std::abs(entry.value.si.front()) < rounding;
+  return is_of_list(entry) && entry.word.empty() && !entry.values().is_series() && !entry.values().si.empty() &&
+         std::abs(entry.values().si.front()) < rounding;
 }
 
 bool is_name(const Entry& entry) { return entry.path == "name" || entry.path.ends_with(".name"); }

@@ -112,9 +112,9 @@ std::string origin_step(const std::string& text) {
 std::string short_value(const Entry& entry) {
   constexpr int digits = 5;
   if (!entry.word.empty()) return entry.origin.sources.empty() ? spoken(entry.word) : entry.word;
-  if (entry.value.si.empty()) return {};
-  const bool is_series = entry.value.is_series();
-  const double si = is_series ? largest(entry.value).value : entry.value.si.front();
+  if (entry.values().si.empty()) return {};
+  const bool is_series = entry.values().is_series();
+  const double si = is_series ? largest(entry.values()).value : entry.values().si.front();
   if (!is_series && is_safety(entry)) return unbroken(safety_number(si));
   const bool as_typed = !is_series && is_typed(entry) && std::isfinite(si);
   std::string text = as_typed ? format_quantity(si, entry.unit, digits) : short_quantity(si, entry.unit);

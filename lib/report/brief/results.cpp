@@ -231,8 +231,10 @@ std::vector<std::vector<const Step*>> grouped(const Project& project, const Step
 /// A series as its value of the largest magnitude.
 std::vector<Entry> peaks_of(std::vector<Entry> entries) {
   for (Entry& entry : entries) {
-    if (!entry.value.is_series()) continue;
-    entry.value.si = {largest(entry.value).value};
+    if (!entry.values().is_series()) continue;
+    const double peak = largest(entry.values()).value;
+    entry.series = nullptr;
+    entry.value.si = {peak};
     entry.value.signature.axis = nullptr;
   }
   return entries;

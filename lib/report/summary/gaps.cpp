@@ -72,13 +72,13 @@ std::string result_without(const project::Project& project, const Mode& mode) {
     const account::Entry* found = nullptr;
     bool is_only = true;
     for (const account::Entry& entry : step->account().results) {
-      const bool is_like = entry.unit == wanted->unit && entry.value.signature.dimension == wanted->dimension;
-      if (!is_like || entry.value.si.size() != 1 || std::isnan(entry.value.si[0])) continue;
-      is_only = is_only && (found == nullptr || found->value.si == entry.value.si);
+      const bool is_like = entry.unit == wanted->unit && entry.values().signature.dimension == wanted->dimension;
+      if (!is_like || entry.values().si.size() != 1 || std::isnan(entry.values().si[0])) continue;
+      is_only = is_only && (found == nullptr || found->values().si == entry.values().si);
       found = &entry;
     }
     if (found != nullptr && is_only)
-      return say(" ({1} = {2})", found->path, short_quantity(found->value.si[0], found->unit)).text();
+      return say(" ({1} = {2})", found->path, short_quantity(found->values().si[0], found->unit)).text();
   }
   return {};
 }

@@ -22,9 +22,9 @@ bool is_named(std::string_view path, std::string_view key) {
 }
 
 double largest_of(const Entry& entry) {
-  if (entry.value.si.empty()) return NAN;
-  if (!entry.value.is_series()) return entry.value.si.front();
-  return std::abs(largest(entry.value).value);
+  if (entry.values().si.empty()) return NAN;
+  if (!entry.values().is_series()) return entry.values().si.front();
+  return std::abs(largest(entry.values()).value);
 }
 
 /// The value of a placeholder, of results before inputs; empty where it is not known. "{b#}": without its unit;

@@ -47,14 +47,14 @@ void add_remote(const std::string& reason, const std::string& name,
 
 std::string value_text(const Entry& e) {
   if (!e.word.empty()) return e.word;
-  if (!e.value.is_series()) {
-    const double si = e.value.si.empty() ? NAN : e.value.si[0];
+  if (!e.values().is_series()) {
+    const double si = e.values().si.empty() ? NAN : e.values().si[0];
     return std::isnan(si) ? not_available(e) : format_quantity(si, e.unit);
   }
-  if (is_constant(e.value)) return say("{1}, constant", format_quantity(e.value.si.front(), e.unit)).text();
-  const Extreme low = minimum(e.value), high = maximum(e.value);
+  if (is_constant(e.values())) return say("{1}, constant", format_quantity(e.values().si.front(), e.unit)).text();
+  const Extreme low = minimum(e.values()), high = maximum(e.values());
   if (std::isnan(low.value)) return not_available(e);
-  const Axis& axis = *e.value.signature.axis;
+  const Axis& axis = *e.values().signature.axis;
   return format_quantity(low.value, e.unit) + " (at " + format_quantity(low.at, axis.unit, 5) + ") to " +
          format_quantity(high.value, e.unit) + " (at " + format_quantity(high.at, axis.unit, 5) + ")";
 }

@@ -255,6 +255,19 @@ TEST_SUITE("fatigue.history") {
     CHECK(errors_of_history("{ values = [1, 2], unit = \"MPa\", column = 1 }").size() > 0);
   }
 
+  TEST_CASE("the account of a step has its history without a copy") {
+    const auto project = of_history(R"({ values = [0, 10, -20, 0], unit = "MPa" })");
+    const Value* const series = project.value("h.sigma");
+    REQUIRE(series != nullptr);
+    CHECK(series->si == std::vector<double>{0.0, 10e6, -20e6, 0.0});
+    for (const auto& entry : project.find("h")->account().inputs) {
+      if (entry.path != "sigma") continue;
+      CHECK(&entry.values() == series);
+      CHECK(entry.value.is_series());
+      CHECK(entry.value.si.empty());
+    }
+  }
+
   TEST_CASE("the worst cycle is reported at its place in the file") {
     const auto project = of_history(R"({ values = [0, 10, 9, 10, 4, 4, 20, -30, 5, 0], unit = "10 MPa" })");
     CHECK(value_of(project, "worst[1].from") == 6.0);

@@ -147,8 +147,8 @@ void Inputs::take_list(const Taken& taken, std::vector<Issue>& issues) {
     const Leaf member = leaf(path);
     if (!member || member.field->role != Role::input) continue;
     if (member.field->is_word()) set_word(member, entry->word);
-    if (member.field->is_number() && !entry->value.si.empty())
-      add_computed({path, member, entry->value, {say("= {1}", taken.source + behind), {}, false}});
+    if (member.field->is_number() && !entry->values().si.empty())
+      add_computed({path, member, entry->values(), {say("= {1}", taken.source + behind), {}, false}});
   }
 }
 

@@ -1,0 +1,55 @@
+// Each condition of the rules for columns next to [values] that no step takes.
+#include "lib/project/references/stated/columns.hpp"
+
+#include "tests/lib/project/rules/rows.hpp"
+
+#include <string>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+void check(const std::string& steps, std::initializer_list<ValuesRow> rows) {
+  check_values(&project::columns_stated_otherwise, steps, rows);
+}
+
+const std::string post =
+    "[post]\ncalculator = \"column.buckling\"\nP = \"60 kN\"\nl = \"2 m\"\nends = \"pinned_pinned\"\nsection = \"HEA "
+    "140\"\nmaterial = \"S235\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1.35\n";
+
+}  // namespace
+
+TEST_SUITE("project: columns stated otherwise") {
+  TEST_CASE("an eccentricity next to a column that is not bent") {
+    for (const std::string name : {"e", "e_0", "ecc", "eccentricity", "load_eccentricity"})
+      check(post, {{name + " = \"40 mm\"", "P"}});
+    check(post, {{"e = \"0 mm\"", ""}, {"e = 0.04", ""}, {"e_bolts = \"40 mm\"", ""}, {"e = \"-40 mm\"", "P"}});
+    for (const std::string off_axis : {"e_y = \"5 mm\"\n", "e_z = \"5 mm\"\n"})
+      check(post + off_axis, {{"e = \"40 mm\"", ""}});
+    check(example_of("column.beam_column", "M_y_1 = \"1 kN*m\""), {{"e = \"40 mm\"", ""}});
+  }
+
+  TEST_CASE("a bending moment above that of the column") {
+    for (const std::string name : {"M", "M_b", "M_max", "M_Ed", "M_d"}) check(post, {{name + " = \"5 kN*m\"", "P"}});
+    check(post, {{"M_frame = \"5 kN*m\"", ""}, {"M = \"-5 kN*m\"", "P"}, {"M = 5000", ""}, {"M = \"0 N*m\"", ""}});
+    const std::string bent = example_of("column.beam_column", "M_y_1 = \"4 kN*m\"\nM_y_2 = \"5 kN*m\"");
+    check(bent, {{"M = \"5 kN*m\"", ""}, {"M = \"5.004 kN*m\"", ""}, {"M = \"5.01 kN*m\"", "P"}});
+  }
+
+  TEST_CASE("a stroke that is longer than the column") {
+    check(post, {{"stroke = \"2.5 m\"", "l"},
+                 {"stroke = \"2 m\"", ""},
+                 {"stroke = \"2.001 m\"", ""},
+                 {"rod_stroke = \"2.01 m\"", "l"},
+                 {"stroke = 2.5", ""},
+                 {"travel = \"2.5 m\"", ""}});
+  }
+
+  TEST_CASE("only a column with a load is compared") {
+    const std::string values = "e = \"40 mm\"\nM = \"5 kN*m\"\nstroke = \"90 m\"";
+    check(example_of("shaft.torsion"), {{values, ""}});
+    check(example_of("chain.roller"), {{values, ""}});
+    check(example_of("column.effective_length"), {{values, ""}});
+  }
+}

@@ -1,0 +1,118 @@
+// Each condition of the rules for loads and factors of [values] that no step takes.
+#include "lib/project/references/machine/left_out.hpp"
+
+#include "tests/lib/project/rules/rows.hpp"
+
+#include <string>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+void check(const std::string& steps, std::initializer_list<ValuesRow> rows) {
+  check_values(&project::loads_left_out, steps, rows);
+}
+
+const std::string bearing =
+    "[b]\ncalculator = \"bearing.rolling\"\nbearing = \"6309\"\nF_r = \"6 kN\"\nn = \"1200 rpm\"\nL_h = \"3000 h\"\n";
+
+const std::string shaft = "[t]\ncalculator = \"shaft.torsion\"\nT = \"300 N*m\"\nd = \"60 mm\"\ntau_adm = \"40 MPa\"\n";
+
+const std::string shell =
+    "[s]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nsigma_adm = \"140 MPa\"\n";
+
+}  // namespace
+
+TEST_SUITE("project: loads left out") {
+  TEST_CASE("a load of a start, a jam or a test, by its name") {
+    for (const std::string index : {"start", "starting", "max", "peak", "jam", "stall", "shock", "impact", "brake",
+                                    "braking", "overload", "test", "t"})
+      check(shaft, {{"T_" + index + " = \"400 N*m\"", "T"}, {"M_" + index + " = \"400 N*m\"", ""}});
+    check(shaft, {{"T = \"400 N*m\"", "T"},
+                  {"T = \"300 N*m\"", ""},
+                  {"T = \"-400 N*m\"", "T"},
+                  {"T = \"15000 N*m\"", "T"},
+                  {"T = \"15100 N*m\"", ""},
+                  {"T_idle = \"400 N*m\"", ""},
+                  {"T_design = \"400 N*m\"", ""},
+                  {"T_start = \"400 N\"", ""},
+                  {"T_start = 400", ""},
+                  {"T_start = \"400 J\"", ""},
+                  {"start = \"400 N*m\"", ""}});
+    check(shell, {{"p_design = \"1.2 MPa\"", "p"}, {"p_max = \"1.2 MPa\"", "p"}, {"p_fill = \"1.2 MPa\"", ""}});
+    check(bearing, {{"F_max = \"7 kN\"", "F_r"}, {"F_r = \"7 kN\"", "F_r"}, {"F_r_max = \"7 kN\"", "F_r"}});
+    check(example_of("fatigue.life"), {{"sigma_max = \"900 MPa\"", ""}, {"sigma_test = \"900 MPa\"", ""}});
+    const std::string design = example_of("shaft.design");
+    check(design, {{"T_start = \"900 N*m\"", "seats"}});
+  }
+
+  TEST_CASE("a factor under the name of an input, or a symbol of another standard") {
+    const std::string chain = example_of("chain.roller", "K_A = 1.3");
+    check(chain, {{"K_A = 1.4", "K_A"}, {"K_A = 1.3", ""}, {"K_A = 1.2", ""}, {"K_A = \"1.4 mm\"", ""}});
+    for (const std::string name :
+         {"K_o", "K_O", "k_A", "c_B", "f_B", "service_factor", "application_factor", "overload_factor"})
+      check(chain, {{name + " = 1.4", "K_A"}, {name + " = 1.3", ""}});
+    check(chain, {{"K_B = 1.4", ""}, {"factor = 1.4", ""}});
+    check(example_of("shaft.key", "S_F = 1.5"), {{"S_F = 2", "S_F"}, {"S_F = 1.5", ""}});
+    check(example_of("dynamics.inertia"), {{"K_o = 1.4", ""}});
+    check(shell, {{"S = 1.5", ""}, {"S = 1.6", "S"}});
+    check(example_of("machine.disc", "S ="), {{"S = 1.2", "S"}});
+  }
+
+  TEST_CASE("a component under the name of an input that is not given") {
+    check(bearing, {{"F_a = \"2 kN\"", "F_a"},
+                    {"F_a = \"0 kN\"", ""},
+                    {"F_a = 2", ""},
+                    {"F_r0 = \"9 kN\"", "F_r0"},
+                    {"F_a0 = \"9 kN\"", "F_a0"}});
+    check(bearing + "F_a = \"2 kN\"\n", {{"F_a = \"2 kN\"", ""}});
+    const std::string mate = "\n[c]" + bearing.substr(3);
+    check(bearing + mate + "F_a = \"2 kN\"\n",
+          {{"F_a = \"2 kN\"", ""}, {"F_a = \"-2 kN\"", ""}, {"F_a = \"3 kN\"", "F_a"}});
+    check(bearing + mate, {{"F_a = \"2 kN\"", "F_a"}});
+    check(example_of("pin.lug"), {{"F_a = \"2 kN\"", ""}});
+    check(example_of("column.beam_column", "M_z ="),
+          {{"M_z = \"5 kN*m\"", "M_z"}, {"q_z = \"5 kN/m\"", "q_z"}, {"q_y = \"5 kN/m\"", "q_y"}});
+    check(example_of("column.beam_column", "M_y_1 =\nM_y_2 ="),
+          {{"M_y = \"5 kN*m\"", "M_y"}, {"M_y_1 = \"5 kN*m\"", "M_y_1"}});
+    check(example_of("column.beam_column", "M_z ="), {{"M_z_1 = \"5 kN*m\"", "M_z_1"}});
+    check(example_of("shaft.circlip"), {{"V = \"2 kN\"", ""}});
+  }
+
+  TEST_CASE("bending of a shaft that is assessed in torsion only") {
+    check(shaft, {{"M_b = \"200 N*m\"", "T"}, {"M_b = \"0 N*m\"", ""}, {"M_b = 200", ""}, {"M_c = \"200 N*m\"", ""}});
+    check(shaft + "\n" + example_of("shaft.design"), {{"M_b = \"200 N*m\"", ""}});
+    check(shaft + "\n" + example_of("shaft.overhung"), {{"M_b = \"200 N*m\"", ""}});
+    check(shaft + "\n" + bearing, {{"M_b = \"200 N*m\"", "T"}});
+    check(example_of("shaft.key"), {{"M_b = \"200 N*m\"", ""}});
+    check(example_of("shaft.press_fit"), {{"M_b = \"200 N*m\"", "T"}, {"M_b = 200", ""}, {"F_x = \"2 kN\"", ""}});
+  }
+
+  TEST_CASE("a component that no mounted part of a shaft has") {
+    const std::string design = example_of("shaft.design",
+                                          "seats = [{ name = \"hub\", x = \"0 mm\", T = \"50 N*m\", way = \"drives\" "
+                                          "}, { name = \"gear\", x = \"100 mm\", T = "
+                                          "\"50 N*m\", way = \"takes\" }]");
+    for (const std::string name : {"F_x", "F_y", "F_z"})
+      check(design, {{name + " = \"2 kN\"", "seats"}, {name + " = \"2 N*m\"", ""}, {name + " = \"0 kN\"", ""}});
+    check(design,
+          {{"M_b = \"2 N*m\"", "seats"}, {"M_b = \"2 kN\"", ""}, {"F_w = \"2 kN\"", ""}, {"M_w = \"2 N*m\"", ""}});
+    check(design + "\n" + example_of("column.beam_column"), {{"F_x = \"2 kN\"", ""}});
+  }
+
+  TEST_CASE("a bending load next to a bar that is assessed in compression only") {
+    for (const std::string id : {"column.buckling", "column.lightest", "column.stepped"}) {
+      const std::string bar = example_of(id), load = id == "column.stepped" ? "parts" : "P";
+      for (const std::string name : {"M_b", "M_y", "M_z", "M_y_1", "M_z_1"})
+        check(bar, {{name + " = \"2 kN*m\"", load}, {name + " = 2", ""}, {name + " = \"2 kN*s\"", ""}});
+      for (const std::string name : {"F_y", "F_z"}) check(bar, {{name + " = \"2 kN\"", load}});
+      for (const std::string name : {"q_y", "q_z", "q", "q_wind"})
+        check(bar, {{name + " = \"2 kN/m\"", load}, {name + " = \"0 kN/m\"", ""}});
+      check(bar, {{"F_w = \"2 kN\"", ""}, {"F_x = \"2 kN\"", ""}});
+    }
+    const std::string bar = example_of("column.buckling");
+    check(bar + "\n" + example_of("column.beam_column"), {{"q = \"2 kN/m\"", ""}});
+    check(example_of("pin.lug"), {{"q = \"2 kN/m\"", ""}, {"M_b = \"2 kN*m\"", ""}});
+  }
+}

@@ -37,9 +37,7 @@ struct Stated {
   double si;
 };
 
-bool is_strength(std::string_view what) {
-  return strength_bound_of(what) != nullptr || what == allowable_in_normal || what == allowable_in_shear;
-}
+bool is_strength(std::string_view what) { return strength_bound_of(what) != nullptr; }
 
 class StatedCheck {
  public:

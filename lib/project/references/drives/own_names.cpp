@@ -21,9 +21,7 @@ constexpr double few_digits = 0.02;  // values that are written with few digits
 constexpr std::string_view of_values = "values.";
 const Dimension pressure = Dimension::of(-1, 1, -2);
 
-bool is_strength(std::string_view what) {
-  return strength_bound_of(what) != nullptr || what == allowable_in_normal || what == allowable_in_shear;
-}
+bool is_strength(std::string_view what) { return strength_bound_of(what) != nullptr; }
 
 /// The input is a required life, in hours or in cycles.
 bool is_life(std::string_view key) { return key == "L_h" || key == "L_req" || key == "N" || key == "n_req"; }

@@ -114,8 +114,7 @@ class Conditions {
   /// factor of actions, gamma_F, includes no impact.
   void compare_dynamic(const std::string& name, double si) {
     constexpr double most = 5.0;
-    constexpr std::array<std::string_view, 9> names{"phi", "phi_dyn",        "f_dyn",       "k_dyn",        "f_w",
-                                                    "f_s", "dynamic_factor", "load_factor", "impact_factor"};
+    constexpr std::array<std::string_view, 4> names{"phi", "f_w", "f_s", "load_factor"};
     const bool is_factor = has_word(name, {"impact", "shock", "dynamic", "dyn", "gust", "surge", "overload"}) &&
                            has_word(name, {"factor", "coefficient", "allowance", "phi", "psi", "f", "k"}) &&
                            has_only_words(name, {"impact", "shock", "dynamic", "dyn", "gust", "surge", "overload",
@@ -218,8 +217,7 @@ class Conditions {
         project_.steps, [&](const auto& one) { return is_of_fatigue(*one) || (is_on_shaft && is_shaft_design(*one)); });
     if (!(si >= fewest) || is_assessed || !has_mode("fatigue") || is_accepted("fatigue") || field("N") != nullptr)
       return;
-    if (field("L_h") != nullptr) return;  // its life is assessed
-    for (const char* const key : {"p", "F", "T", "P", "N"}) {
+    for (const char* const key : {"p", "F", "T", "P"}) {
       if (field(key) == nullptr) continue;
       return add(key, say("values.{1} = {2} acts on no step, and fatigue is not assessed: add a step of fatigue.life, "
                           "or accept.fatigue = \"...\"",
@@ -236,7 +234,7 @@ class Conditions {
   /// Years of service that enter no life.
   void compare_years(const std::string& name, double si) {
     if (name != "years" || !(si > 0.0) || field("n_req") != nullptr || field("L_h") != nullptr) return;
-    if (field("N") == nullptr || std::isnan(own("N"))) return;
+    if (std::isnan(own("N"))) return;
     add("N", say("values.years = {1} acts on no step, and N is {2}: refer to it, delete it, or justify it: because.N = "
                  "\"...\"",
                  format_number(si, 5), format_number(own("N"), 5)));
@@ -244,8 +242,7 @@ class Conditions {
 
   /// A life next to fewer repetitions of a history of known duration.
   void compare_life(const std::string& name, double si) {
-    if (field("n_req") == nullptr || field("t") == nullptr || field("L_h") != nullptr) return;
-    const double here = own("n_req") * own("t");
+    const double here = own("n_req") * own("t");  // NaN of a step without them
     if (!(si > (1.0 + in_few_digits) * here)) return;
     add("n_req", say("values.{1} = {2} acts on no step, and n_req t is {3}: refer to it, delete it, or justify it: "
                      "because.n_req = \"...\"",
@@ -278,7 +275,7 @@ class Conditions {
     });
     const bool is_held =
         std::ranges::any_of(project_.steps, [&](const auto& one) { return own_value(*one, project_, "h_l") > 0.0; });
-    if (!is_level || !has_density || field("h_l") == nullptr || field("rho") == nullptr || is_held) return;
+    if (!is_level || !has_density || field("h_l") == nullptr || is_held) return;
     add("p", say("values.{1} and a density act on no step: give rho and h_l, delete them, or justify it: because.p = "
                  "\"...\"",
                  name));
@@ -316,7 +313,7 @@ class Conditions {
   /// A residual stress next to a cycle without it.
   void compare_residual(const std::string& name, double si) {
     if (!(si > 0.0) || !has_word(name, {"res", "residual"}) || !is_of_fatigue(step_)) return;
-    for (const char* const key : {"sigma_m", "sigma_max", "sigma", "S_D"}) {
+    for (const char* const key : {"sigma_m", "S_D"}) {
       if (field(key) == nullptr) continue;
       return add(key, say("values.{1} = {2} acts on no step, and raises the mean stress: add it to the cycle, or "
                           "because.{3} = \"...\"",
@@ -349,7 +346,7 @@ class Conditions {
     const bool is_corrosive = says("corros") || says("sea") || says("salt") || says("acid") || says("chlor");
     if (!is_corrosive || is_accepted("surroundings") || is_accepted("corrosion")) return;
     const bool has_corrosion = has_mode("surroundings") || has_mode("corrosion");
-    if (!has_corrosion || !(is_of_fatigue(step_) || id_ == "shaft.design")) return;
+    if (!has_corrosion) return;
     const char* const mode = has_mode("surroundings") ? "surroundings" : "corrosion";
     add(mode, say("values.{1} = {2} acts on no step, and corrosion is not assessed: assess it separately, accept.{3} = "
                   "\"...\", or delete the value",

@@ -60,9 +60,7 @@ std::string word_at(const Step& step, const std::string& key) {
   return k < leaf.field->choices.size() ? leaf.field->choices[k].key : std::string();
 }
 
-bool is_strength(std::string_view what) {
-  return strength_bound_of(what) != nullptr || what == allowable_in_normal || what == allowable_in_shear;
-}
+bool is_strength(std::string_view what) { return strength_bound_of(what) != nullptr; }
 
 /// Sizes and masses: their names are those of many parts.
 bool is_of_body(const Dimension& dimension) {
@@ -70,7 +68,7 @@ bool is_of_body(const Dimension& dimension) {
 }
 
 /// The efficiency of a seam: a factor that is worse if it is smaller.
-bool is_of_seam(std::string_view name) { return name == "z_l" || name == "z_c" || name == "z"; }
+bool is_of_seam(std::string_view name) { return name == "z_l" || name == "z_c"; }
 
 class OwnInputs {
  public:
@@ -117,8 +115,7 @@ class OwnInputs {
     if (stated == 0.0 || is_of_endurance(name) || is_harmless(name, stated)) return false;
     if (name.ends_with("_adm") || name == "h_l" || name.starts_with("e_")) return true;
     const bool is_strength_of_part = dimension == Dimension::of(-1, 1, -2);
-    const bool is_constant =
-        is_strength_of_part || dimension == density || name == "nu" || name == "alpha" || name == "E" || name == "G";
+    const bool is_constant = is_strength_of_part || dimension == density || name == "nu" || name == "alpha";
     return !is_of_body(dimension) && !is_constant && dimension != speed;
   }
 
@@ -158,17 +155,17 @@ class OwnInputs {
 
   /// Whether the step requires more, or allows less, than the value.
   [[nodiscard]] bool is_safe(const std::string& name, double here, double stated) const {
-    const bool is_required = name == "S" || name.starts_with("S_") || name.starts_with("gamma_") || name == "n_st" ||
-                             name == "L_h" || name == "L_req" || name == "N" || name == "n_req" || name == "R" ||
-                             name == "P_s" || name == "c" || name == "c_t" || name == "f_t" || name == "grade";
-    if (is_required) return here >= stated;
+    const bool is_required = name.starts_with("S_") || name == "L_h" || name == "L_req" || name == "N" ||
+                             name == "n_req" || name == "R" || name == "P_s" || name == "c" || name == "c_t" ||
+                             name == "f_t" || name == "grade";
+    if (is_required) return here > stated;
     // a key, a spline or a fit that is shorter than the hub or the shaft of this length carries less
     const std::string_view id = step_.input().calculator->id;
     const bool is_carrying = id == "shaft.key" || id == "shaft.spline" || id == "shaft.press_fit";
-    if (name == "l" && is_carrying) return here <= stated;
+    if (name == "l" && is_carrying) return here < stated;
     const bool is_allowed = name.ends_with("_adm") || is_of_seam(name) || name == "R_e" || name == "R_m" ||
                             name == "D_adm" || means(*step_.input().calculator, name, &is_strength);
-    return is_allowed && here <= stated;
+    return is_allowed && here < stated;
   }
 
   void compare_word(const std::string& name, const std::string& word) {

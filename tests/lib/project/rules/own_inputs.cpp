@@ -73,6 +73,8 @@ TEST_SUITE("project: inputs stated otherwise") {
     const std::string shaft = example_of("shaft.torsion", "material =\nR_e =\nS =\nS_F =\ntau_adm = \"40 MPa\"");
     check(shaft, {{"tau_adm = \"30 MPa\"", "tau_adm"}, {"tau_adm = \"50 MPa\"", ""}});
     check(example_of("vessel.cylinder"), {{"z_l = 0.7", "z_l"}, {"z_l = 1", ""}});
+    check(example_of("vessel.cylinder", "z_c = 0.9"), {{"z_c = 0.7", "z_c"}, {"z_c = 1", ""}});
+    check(example_of("shaft.press_fit"), {{"R_e_1 = \"100 MPa\"", "R_e_1"}, {"R_e_1 = \"900 MPa\"", ""}});
   }
 
   TEST_CASE("requirements: those of the step are not below the stated ones") {
@@ -92,7 +94,15 @@ TEST_SUITE("project: inputs stated otherwise") {
     check(example_of("shaft.key"), {{"l = \"1000 mm\"", ""}, {"l = \"5 mm\"", "l"}});
     check(example_of("shaft.spline"), {{"l = \"60 mm\"", ""}, {"l = \"40 mm\"", "l"}});
     check(example_of("shaft.press_fit"), {{"l = \"80 mm\"", ""}, {"l = \"40 mm\"", "l"}});
+    check(example_of("chain.roller"), {{"S_min = 8", "S_min"}, {"S_min = 7", ""}});
     check(column(), {{"l = \"1 mm\"", "l"}, {"l = \"100 m\"", "l"}});
+  }
+
+  TEST_CASE("a value that another step has is meant for that one") {
+    const std::string bearing = example_of("bearing.rolling", "L_h = \"10000 h\"");
+    const std::string other = renamed(with_lines(bearing, "L_h = \"20000 h\""), "other");
+    check(bearing + "\n" + other, {{"L_h = \"20000 h\"", ""}, {"L_h = \"30000 h\"", "L_h"}});
+    check(bearing + "\n" + column(), {{"L_h = \"20000 h\"", "L_h"}});
   }
 
   TEST_CASE("sizes are those of another part where several have them") {
@@ -118,6 +128,9 @@ TEST_SUITE("project: inputs stated otherwise") {
   }
 
   TEST_CASE("an input that the step does not have") {
+    check(example_of("machine.disc", "material =\nR_e = \"650 MPa\"\nnu ="), {{"nu = 0.29", ""}});
+    check(example_of("fatigue.life", "R_e =\nS_F ="), {{"R_e = \"300 MPa\"", ""}});
+    check(example_of("shaft.torsion", "d_i ="), {{"d_i = \"10 mm\"", ""}});
     const std::string rod = with_lines(column(), "P = \"100 kN\"");
     check(rod, {{"e_y = \"20 mm\"", "e_y"}, {"e_y = \"0 mm\"", ""}, {"beta_y = 2", "beta_y"}});
     check(example_of("vessel.cylinder"),

@@ -33,8 +33,7 @@ bool is_train(const Step& step) {
 std::size_t shafts_of(const Step& train) {
   const Reading& reading = train.input().reading;
   const FieldInfo* const stages = find_field(train.input().calculator->input->fields, "stages");
-  if (stages == nullptr || stages->type != FieldInfo::Type::list || reading.record.data == nullptr) return 0;
-  return stages->size(reading.record.data.get()) + 1;
+  return reading.record.data == nullptr ? 0 : stages->size(reading.record.data.get()) + 1;
 }
 
 /// The steps that refer to one of these, and those that refer to them in turn.

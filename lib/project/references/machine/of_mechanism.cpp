@@ -111,7 +111,6 @@ void compare_typed_forces(const Step& step, const Project& project, std::vector<
     const bool is_force = leaf && leaf.field->is_load && leaf.field->dimension == force;
     if (is_force && !is_taken) typed.push_back(path);
   }
-  if (typed.empty()) return;
   for (const std::string& name : steps_named_in(step.input().reading)) {
     const Step* const source = project.find(name);
     const double least = source == nullptr || source == &step ? std::nan("") : least_joint_force(*source);

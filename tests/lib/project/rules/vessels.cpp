@@ -88,6 +88,8 @@ TEST_SUITE("project: walls of one vessel") {
     };
     CHECK(share("12 mm", "0.1") == "m_r");
     CHECK(share("12 mm", "0.9").empty());
+    CHECK(share("12 mm", "\"=(shell.delta_min - 1 mm)/(shell.delta - 1 mm)\"").empty());
+    CHECK(share("12 mm", "\"=0.99*(shell.delta_min - 1 mm)/(shell.delta - 1 mm)\"") == "m_r");
   }
 
   TEST_CASE("a wall under external pressure takes the record of the wall") {

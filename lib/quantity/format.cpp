@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -70,6 +71,18 @@ std::string format_quantity(double si, std::string_view unit, int digits) {
   return number + " " + pretty_unit(unit);
 }
 
+namespace {
+
+bool is_letter(std::string_view text, std::size_t at) {
+  return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
+}
+
+bool is_micrometre(std::string_view unit, std::size_t at) {
+  return unit.substr(at).starts_with("um") && !is_letter(unit, at + 2) && (at == 0 || !is_letter(unit, at - 1));
+}
+
+}  // namespace
+
 std::string pretty_unit(std::string_view unit) {
   if (is_ratio(unit)) return {};
   std::string pretty;
@@ -79,8 +92,9 @@ std::string pretty_unit(std::string_view unit) {
       for (const char c : power) pretty += c == '-' ? "⁻" : superscripts[static_cast<std::size_t>(c - '0')];
       in = ahead;
     } else {
+      const bool is_micro = is_micrometre(unit, in.at);
       const char c = unit[in.at++];
-      pretty += c == '*' ? "·" : std::string(1, c);
+      pretty += is_micro ? "µ" : c == '*' ? "·" : std::string(1, c);
     }
   }
   return pretty;

@@ -77,10 +77,20 @@ class EndView {
     labels_.keep_off(Box{corner.x - letters, up.y - letters, right.x + letters, corner.y + letters});
   }
 
+  /// A reaction is dashed: in grey print its colour is that of a load.
+  void draw_arrow(bool is_load, Point tip) {
+    if (is_load) return arrow(canvas_, 1, centre_, tip);
+    constexpr double head = 10.0;
+    const Point way = tip - centre_;
+    const double longer = std::max(length(way), 1e-6), size = std::min(head, 0.7 * longer);
+    canvas_.line("force dash c0", centre_, tip - (0.8 * size / longer) * way);
+    arrow_head(canvas_, "f0", tip, (1.0 / longer) * way, size);
+  }
+
   /// Its name, and the value below.
   void draw_force(const Transverse& one, Point tip) {
     constexpr double gap = 5.0, of_line = 14.0, base = 11.0;
-    arrow(canvas_, one.is_load ? 1 : 0, centre_, tip);
+    draw_arrow(one.is_load, tip);
     const Text name = typeset(one.name), value = typeset(format_quantity(magnitude(one.force), "N", 4));
     const double wide = std::max(width(name, text_size), width(value, text_size));
     const Box box = labels_.place(around(tip, gap, wide, 2.0 * of_line));

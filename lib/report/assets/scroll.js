@@ -1,6 +1,6 @@
 "use strict";
 {  // What is wider than its place can be moved by keys as well.
-  const boxes = document.querySelectorAll(".scroll, .derivation p:not(:first-child, :where(li:not(.n)) > :last-child)");
+  const boxes = document.querySelectorAll(".scroll, .derivation p:not(:first-child, :where(li:not(.n)) > :last-child), .sheet figure");
   const reach = () => {
     for (const box of boxes) {
       if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;

@@ -38,7 +38,6 @@ std::string readable(double si, const std::string& unit) {
 
 std::string with_unit(const std::string& number, const std::string& unit) {
   if (unit == "-" || unit.empty()) return number;
-  if (unit == "um") return number + "\u00A0\u00B5m";
   const bool is_angle = unit.starts_with("deg");
   return number + (is_angle ? "\u00B0" + pretty_unit(unit.substr(3)) : "\u00A0" + pretty_unit(unit));
 }

@@ -66,6 +66,9 @@ TEST_SUITE("quantity") {
     CHECK(format_quantity(not_a_number, "mm") == "not available");
     CHECK(pretty_unit("kg*m^2/(s^3*K)") == "kg·m²/(s³·K)");
     CHECK(pretty_unit("MPa*m^(1/2)") == "MPa·m^(1/2)");
+    CHECK(pretty_unit("um") == "µm");
+    CHECK(pretty_unit("N/(mm*um)") == "N/(mm·µm)");
+    CHECK(pretty_unit("lumen") == "lumen");
   }
 
   TEST_CASE("the exact text of a number reads back to the same number") {

@@ -1,6 +1,7 @@
 // Regression tests of [values] that no step uses and that name a result, a limit, a row of a list, or a peak of a load.
 #include "tests/found/modes.hpp"
 
+#include <algorithm>
 #include <string>
 
 using namespace loadpath;
@@ -34,6 +35,10 @@ const std::string run_up =
     "[run]\ncalculator = \"machine.run_up\"\nparts = [{ name = \"rotor\", J = \"0.2 kg*m^2\" }, { name = \"drum\", J "
     "= \"3 kg*m^2\", u = 0.2 }]\nmotor = [[\"0 rpm\", \"80 N*m\"], [\"1450 rpm\", \"60 N*m\"]]\nload = [[\"0 rpm\", "
     "\"10 N*m\"], [\"1450 rpm\", \"20 N*m\"]]\nn_2 = \"1440 rpm\"\nt_adm = \"5 s\"\n";
+
+const std::string bearing =
+    "[b]\ncalculator = \"bearing.rolling\"\nbearing = \"6308\"\nF_r = \"2 kN\"\nn = \"1000 rpm\"\nL_h = \"10000 "
+    "h\"\ns_0 = 1.5\n";
 
 const std::string lug =
     "[lug]\ncalculator = \"pin.lug\"\nF = \"=values.Q\"\nd = \"40 mm\"\nb = \"110 mm\"\na = \"38 mm\"\nt = \"25 "
@@ -99,5 +104,34 @@ TEST_SUITE("found names of results") {
         "b = \"40 mm\"\nmaterial = \"C45E\"\nS = 2\n";
     CHECK(is_held("n_max = \"4000 rpm\"", disc, "disc", "strength"));
     CHECK_FALSE(is_held("n_max = \"3000 rpm\"", disc, "disc", "strength"));
+  }
+
+  TEST_CASE("a limit of a size that a row has") {
+    const std::string post =
+        "[post]\ncalculator = \"column.buckling\"\nP = \"100 kN\"\nl = \"3 m\"\nends = \"pinned_pinned\"\nsection = "
+        "\"HEB 160\"\nmaterial = \"S235JR\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1.4\n";
+    CHECK(is_held("h_max = \"120 mm\"", post, "post", "buckling"));
+    CHECK_FALSE(is_held("h_max = \"160 mm\"", post, "post", "buckling"));
+  }
+
+  TEST_CASE("the speed of a machine that no crank has") {
+    const std::string mechanism =
+        "[pump]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"30 mm\"\nl = \"180 mm\"\n"
+        "crank = { speed = \"60 rpm\", positions = 72 }\nlinks.slider.mass = \"5 kg\"\n"
+        "loads = [{ name = \"oil\", link = \"slider\", at = \"B\", F_x = \"-5 kN\", F_y = \"0 N\" }]\n";
+    const auto is_doubted = [&](const std::string& value) {
+      const auto modes = project::modes(solved_as_found("[values]\n" + value + "\n" + mechanism));
+      return std::ranges::any_of(modes, [](const account::Mode& mode) {
+        return mode.note.text().find("crank.speed is 60 rpm here") != std::string::npos;
+      });
+    };
+    CHECK(is_doubted("n = \"180 rpm\""));
+    CHECK_FALSE(is_doubted("n = \"60 rpm\""));
+    CHECK_FALSE(is_doubted("n_fan = \"180 rpm\""));
+  }
+
+  TEST_CASE("the life of a part by its name") {
+    CHECK(is_held("L_h_gears = \"40000 h\"", bearing, "b", "fatigue"));
+    CHECK_FALSE(is_held("L_h_gears = \"8000 h\"", bearing, "b", "fatigue"));
   }
 }

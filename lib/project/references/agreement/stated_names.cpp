@@ -46,8 +46,9 @@ bool is_of_vacuum(std::string_view name) {
 
 bool is_of_life(std::string_view name) {
   return has_word(name, {"life", "lifetime", "l", "hours"}) &&
-         has_only_words(name, {"life", "lifetime", "l", "h", "10h", "hours", "service", "operating", "running",
-                               "design", "required", "req", "target", "total"});
+         has_only_words(name, {"life",    "lifetime", "l",        "h",     "10h",     "hours", "service", "operating",
+                               "running", "design",   "required", "req",   "target",  "total", "gear",    "gears",
+                               "gearbox", "bearing",  "bearings", "drive", "machine", "min"});
 }
 
 }  // namespace loadpath::project

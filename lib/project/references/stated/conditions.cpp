@@ -252,7 +252,7 @@ class Conditions {
   /// "n_over", "n_trip" above the speed of a rotating part; a much higher one is that of another shaft.
   void compare_overspeed(const std::string& name, double si) {
     constexpr double most = 3.0;
-    const bool is_most = name == "n_max" && id_ == "machine.disc";  // its n is the maximum speed
+    const bool is_most = name == "n_max" && (id_ == "machine.disc" || id_ == "shaft.press_fit");
     if (!(is_most || has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin"})) ||
         field("n") == nullptr)
       return;

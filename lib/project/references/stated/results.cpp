@@ -38,7 +38,9 @@ bool is_comparable(const Dimension& dimension) {
 double input_at(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
   const FieldInfo* const field = field_of(step, name, false);
   const bool is_of_it = field != nullptr && field->is_number() && field->dimension == dimension;
-  return is_of_it ? std::abs(own_value(step, project, name)) : std::nan("");
+  if (!is_of_it) return std::nan("");
+  const double own = std::abs(own_value(step, project, name));
+  return std::isnan(own) ? std::abs(magnitude_at(project, step.name() + "." + name)) : own;  // of a row
 }
 
 double result_at(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
@@ -47,11 +49,16 @@ double result_at(const Step& step, const Project& project, const std::string& na
   return is_of_it ? std::abs(magnitude_at(project, step.name() + "." + name)) : std::nan("");
 }
 
+/// Whether a step has the ratio i, as a belt or a whole train; otherwise i is the ratio u of gears.
+bool has_ratio(const Project& project) {
+  return std::ranges::any_of(project.steps, [](const auto& step) { return field_of(*step, "i", true) != nullptr; });
+}
+
 /// The value of a step that a result of [values] means. Inputs under the names of ratios and speeds are others: the
 /// number of keys i, the last speed n_2 of a start.
 double meant_result(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
   const double own = input_at(step, project, name, dimension), found = result_at(step, project, name, dimension);
-  if (dimension.is_number()) return std::isnan(found) ? result_at(step, project, "u", dimension) : found;
+  if (dimension.is_number()) return has_ratio(project) ? found : result_at(step, project, "u", dimension);
   return is_of_rotation(dimension) || std::isnan(own) ? found : own;
 }
 
@@ -93,6 +100,7 @@ class Results {
       const bool is_input = field_of(step_, name, false) != nullptr && !is_of_rotation(dimension) && name != "i";
       if (si == 0.0 || is_input) continue;  // compared as an input
       compare_result(name, si, dimension);
+      if (is_of_rotation(dimension) && (name == "n" || name == "omega")) compare_speed(name, si);
       if (is_comparable(dimension)) compare_limit(name, si, dimension);
     }
     return std::move(found_);
@@ -107,6 +115,28 @@ class Results {
         !is_one(project_, name, dimension, here, &meant_result))
       return;
     add(name, stated, name, here, dimension);
+  }
+
+  /// "n = 3000 rpm" next to a crank at another speed, if no step has this one.
+  void compare_speed(const std::string& name, double stated) {
+    const double here = own_value(step_, project_, "crank.speed");
+    if (std::isnan(here) || std::ranges::any_of(project_.steps, [&](const auto& step) { return turns(*step, stated); }))
+      return;
+    found_.push_back(
+        {"crank", say("values.{1} = {2} acts on no step, and crank.speed is {3} here: correct one of them, "
+                      "delete the value, or justify it: because.crank = \"...\"",
+                      name, format_quantity(stated, "rpm", 4), format_quantity(here, "rpm", 4))});
+  }
+
+  /// Whether an input or a result of the step is this speed.
+  [[nodiscard]] bool turns(const Step& step, double stated) const {
+    if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return false;
+    const auto is_it = [&](double si) { return std::abs(std::abs(si) - stated) <= rounded * stated; };
+    bool found = false;
+    for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+      found = found || (is_of_rotation(leaf.field->dimension) && is_it(own_value(step, project_, path)));
+    });
+    return found;
   }
 
   /// "v_max = 10 m/s" next to v = 12 m/s, "d_min" next to a smaller d.

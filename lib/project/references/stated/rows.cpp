@@ -60,7 +60,8 @@ class RowCheck {
   void compare(const std::string& path, const std::string& name, const FieldInfo& field) {
     for (const auto& [stated, value] : project_.values.unused()) {
       if (stated != name || !(value.signature.dimension == field.dimension)) continue;
-      const double si = std::abs(value.si.front()), here = std::abs(own_value(step_, project_, path));
+      const double si = std::abs(value.si.front()), own = std::abs(own_value(step_, project_, path));
+      const double here = std::isnan(own) ? std::abs(magnitude_at(project_, step_.name() + "." + path)) : own;
       const bool differs = is_unsafe_above(field) ? si > (1.0 + few_digits) * here
                                                   : std::abs(si - here) > few_digits * std::fmax(si, here);
       if (!std::isnan(here) && differs) add(path, name, si, here, field.dimension, field.unit);

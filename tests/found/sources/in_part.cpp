@@ -95,6 +95,18 @@ TEST_SUITE("found parts of values") {
     for (const char* const D : {"=values.D/2", "=0.5*values.D"}) CHECK_MESSAGE(state(D) == "not-judged", D);
   }
 
+  TEST_CASE("a radius is no quarter of a diameter, and no part of the value under its name") {
+    const auto state = [](const std::string& R) {
+      return mode_of(
+          solved_as_found("[values]\nD = \"1200 mm\"\nR = \"600 mm\"\n[shell]\ncalculator = "
+                          "\"vessel.cylinder\"\np = \"0.5 MPa\"\ndelta = \"12 mm\"\nsigma_adm = \"120 MPa\"\nR = \"" +
+                          R + "\"\n"),
+          "shell", "strength");
+    };
+    for (const char* const R : {"=values.D/2", "=values.R"}) CHECK_MESSAGE(state(R) == "pass", R);
+    for (const char* const R : {"=values.D/4", "=values.R/2"}) CHECK_MESSAGE(state(R) == "not-judged", R);
+  }
+
   TEST_CASE("a temperature of [values] is one in an expression, as that of a step is") {
     const auto error = [](const std::string& dT_adm) {
       return first_error_of(

@@ -210,21 +210,34 @@ void compare_speed(const Step& step, const Project& project, const Operand& oper
                                      operand.path, format_number(share, 4), path, because_key(operand.path))});
 }
 
-/// A diameter that is a part of the value under its own name: "D = =values.D/2" is a radius.
-void compare_diameter(const Step& step, const Project& project, const Operand& operand,
-                      std::vector<ReducedLoad>& found) {
+/// "d", "D_i", and for radii "r", "R_a".
+bool names_size(std::string_view name, std::string_view letters) {
+  return letters.find(name[0]) != std::string_view::npos && (name.size() == 1 || name[1] == '_');
+}
+
+/// A radius that is a quarter of a diameter: "R = =values.D/4".
+bool is_quarter(std::string_view key, std::string_view name, double share) {
+  return names_size(key, "R") && names_size(name, "dD") && std::abs(share - 0.25) <= few_digits * share;
+}
+
+/// A diameter or a radius that is a part of the value under its own name: "D = =values.D/2" is a radius.
+void compare_size(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
   constexpr double least = 0.95, most = 1.05;  // of a groove, with an allowance
   const std::string& key = operand.path;
-  const std::string path = std::string(of_values) + key;
-  const bool is_diameter = (key[0] == 'd' || key[0] == 'D') && (key.size() == 1 || key[1] == '_');
-  if (!is_diameter || only_value(operand) != path || is_named(step, operand)) return;
+  const std::string path = only_value(operand);
+  if (path.empty() || !names_size(key, "dDrR") || operand.leaf.field->dimension != Dimension::of(1, 0, 0) ||
+      is_named(step, operand))
+    return;
+  const std::string name = path.substr(of_values.size());
   const Value* const value = stated_value(project, path);
   if (value == nullptr || value->si.size() != 1) return;
   const double share = std::abs(own_value(step, project, key) / value->si.front());
-  if (operand.leaf.field->dimension != Dimension::of(1, 0, 0) || !(share < least || share > most)) return;
-  found.push_back({key, say("{1} is {2} times 'values.{1}', which is this diameter by its name: write {1} = "
-                            "\"=values.{1}\", rename the value, or justify it: {3} = \"...\"",
-                            key, format_number(share, 4), because_key(key))});
+  const bool is_part = name == key && (share < least || share > most);
+  if (!is_part && !is_quarter(key, name, share)) return;
+  found.push_back(
+      {key, say("{1} is {2} times 'values.{3}', which is a size of another meaning by its name: correct one "
+                "of them, rename the value, or justify it: {4} = \"...\"",
+                key, format_number(share, 4), name, because_key(key))});
 }
 
 /// A load that is a part of a load of [values] by a bare number: "F = =values.F/4". The parts may make up the whole,
@@ -262,7 +275,7 @@ std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project
       compare_load(step, project, operand, found);
       compare_product(step, project, operand, found);
       compare_speed(step, project, operand, found);
-      compare_diameter(step, project, operand, found);
+      compare_size(step, project, operand, found);
     }
     if (safer == 0 || operand.expression.is_reference() || references.size() != 1) continue;
     const std::string& path = references.front().path;

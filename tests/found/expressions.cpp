@@ -302,6 +302,8 @@ TEST_SUITE("found expressions") {
     };
     CHECK(contains(lug("values.d^2/4*values.p"), "is not the area of a circle"));
     CHECK(lug("pi*values.d^2/4*values.p").empty());
+    CHECK(contains(lug("pi*values.d^2/16*values.p"), "is a quarter of the area of a circle"));
+    CHECK(lug("pi*values.d^2/4*values.p/4").empty());  // four rods
     CHECK(lug("values.d^2*values.p").empty());
   }
 

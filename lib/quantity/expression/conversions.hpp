@@ -30,7 +30,7 @@ struct Factors {
   int pi = 0, speeds = 0, diameters = 0;  // powers
   int velocities = 0;                     // linear speeds
   int moments = 0;                        // torques, bending moments
-  int quarters = 0;                       // written as "/4" or "0.25"
+  int quarters = 0, sixteenths = 0;       // written as "/4" or "0.25", as "/16"
   bool has_frequency = false;             // 2*pi may belong to it
 };
 
@@ -90,6 +90,9 @@ class Product {
     const bool is_of_circle = (f.pi == 1 && f.diameters == 2) || (f.pi == -1 && f.diameters == -2);
     if (is_of_circle && is_bare && (dimension == force || dimension == stress))
       return fault(say("pi*d^2 is four times the area of a circle"), say("write pi*d^2/4"));
+    if (f.pi == 1 && f.diameters == 2 && f.sixteenths == 1 && std::abs(f.number) == 1.0 / 16.0 && dimension == force)
+      return fault(say("pi*d^2/16 is a quarter of the area of a circle"),
+                   say("write pi*d^2/4; a share of it is a value of its own"));
     return {};
   }
 
@@ -158,6 +161,7 @@ class Product {
     if (node.dimension == work) f.moments += power;
     if (!node.dimension.is_number()) return;
     f.quarters += (node.si == 4.0 && power == -1) || (node.si == 0.25 && power == 1) ? 1 : 0;
+    f.sixteenths += node.si == 16.0 && power == -1 ? 1 : 0;
     if (node.si == std::numbers::pi)
       f.pi += power;
     else

@@ -237,6 +237,20 @@ void OwnReader::check_moduli(const RowRead& read, std::vector<std::string>& used
   check_modulus(read, "G", is_steel ? least_G_of_steel : 0.0, most_G, used);
   if (!std::isnan(E)) check_modulus(read, "G", E / 3.0, E / 2.0, used);
   check_density(read, E, used);
+  check_contraction(read, E / searched_value(read.row, "G") / 2.0 - 1.0, used);
+}
+
+/// Poisson's ratio of an isotropic material is that of its moduli.
+void OwnReader::check_contraction(const RowRead& read, double of_moduli, std::vector<std::string>& used) {
+  constexpr double rounded = 0.06;  // of moduli with two digits
+  const double nu = searched_value(read.row, "nu");
+  if (!(std::abs(nu - of_moduli) > rounded) || std::find(used.begin(), used.end(), "nu") != used.end()) return;
+  used.emplace_back("nu");
+  if (read.row.because.contains("nu")) return;
+  complain(read.place, read.key + ".nu",
+           say("nu = {1} of '{2}' is not E/(2 G) - 1 = {3}", format_number(nu, 3), read.row.name,
+               format_number(of_moduli, 3)),
+           say("check E, G and nu, or justify it: because.nu = \"data sheet of the manufacturer\""));
 }
 
 /// No metal is that light for its modulus; steel, aluminium and titanium have E/rho of 2.5e7 to 2.7e7 m^2/s^2.

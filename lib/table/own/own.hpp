@@ -63,6 +63,7 @@ class OwnReader {
   void compare_with(const RowRead& read, const Entry& replaced, double most, std::vector<std::string>& used);
   void check_namesake(const RowRead& read, std::vector<std::string>& used);
   void check_moduli(const RowRead& read, std::vector<std::string>& used);
+  void check_contraction(const RowRead& read, double of_moduli, std::vector<std::string>& used);
   void check_density(const RowRead& read, double E, std::vector<std::string>& used);
   void check_modulus(const RowRead& read, const char* key, double low, double high, std::vector<std::string>& used);
   void check_group(const RowRead& read, std::vector<std::string>& used);

@@ -78,6 +78,9 @@ TEST_SUITE("found properties") {
     CHECK(first_error_of(rod_of("E = \"210 GPa\"\nrho = \"785 kg/m^3\"\n")).find("rho = 785 kg/m") !=
           std::string::npos);
     CHECK(first_error_of(rod_of("E = \"210 GPa\"\nrho = \"7700 kg/m^3\"\n")).empty());
+    CHECK(first_error_of(rod_of("E = \"210 GPa\"\nG = \"81 GPa\"\nnu = 0.05\n")).find("nu = 0.05") !=
+          std::string::npos);
+    CHECK(first_error_of(rod_of("E = \"210 GPa\"\nG = \"81 GPa\"\nnu = 0.3\n")).empty());
   }
 
   TEST_CASE("another treatment of a built-in steel is not three times as strong") {

@@ -138,6 +138,7 @@ struct Seat {
       Field{&Seat::beta_adm, "beta_adm", deg, "allowable shaft slope at the component"}
           .positive()
           .usually(0.005, 5)
+          .customarily_at_most(1)
           .may_be_missing(),
       Choice{&Seat::integral, "integral", "integral with the shaft: no shaft-hub connection"}.may_be_missing(),
       RecordField<Seat>{

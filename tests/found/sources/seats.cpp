@@ -154,6 +154,14 @@ TEST_SUITE("found seats") {
     CHECK(first_error_of(gears + shaft_with(seat, "integral = true", "57 mm")).empty());
   }
 
+  TEST_CASE("the allowable slope of a mounted component is within common practice") {
+    const auto with = [](const std::string& beta_adm) {
+      return shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\", beta_adm = \"" + beta_adm + "\"");
+    };
+    CHECK(is_doubted(with("3 deg"), "beta_adm"));
+    CHECK_FALSE(is_doubted(with("0.03 deg"), "beta_adm"));
+  }
+
   TEST_CASE("a component integral with the shaft has no keyway under it") {
     const auto with = [](const std::string& notches, const std::string& coupling) {
       return key_with("1") + shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\"", coupling) + "notches = [" + notches +

@@ -41,7 +41,7 @@ void add_output(CLI::App& app, OutputOptions& output) {
                  "write the series: a file per step into a folder, or those of a single step into FILE.csv or -")
       ->type_name("PATH");
   app.add_option("--series", output.series,
-                 "series for CSV and JSON, by name: drive.M,links.*.N; * stands for any characters")
+                 "series for CSV and JSON, by name: drive.M,links.*.N; * matches any characters")
       ->type_name("NAMES")
       ->delimiter(',')
       ->expected(1)

@@ -225,12 +225,9 @@ r_T = 0
   static bool torque_runs(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{&held, "supports", "a shaft needs at least two bearings, at different positions"},
-      // Without the diameters: known before they are searched for.
-      Rule<Input>{&within_ends, "supports, seats, notches",
-                  "bearings, mounted components and notches must lie between the shaft ends", &off_shaft},
-      Rule<Input>{&on_shaft, "supports, pieces", "the pressure centres of bearings must lie on the shaft", &off_shaft},
-      Rule<Input>{&bores_fit, "pieces",
-                  "the bore of a segment must be smaller than its outer diameter and that of its neighbours"},
+      Rule<Input>{&within_ends, "supports, seats, notches", "components must lie between the shaft ends", &off_shaft},
+      Rule<Input>{&on_shaft, "supports, pieces", "pressure centres must lie between the shaft ends", &off_shaft},
+      Rule<Input>{&bores_fit, "pieces", "a bore must be smaller than the diameters of its segment and the neighbours"},
       Rule<Input>{&bearings_sit, "supports, pieces", "bearings must be on cylindrical segments", &slips},
       Rule<Input>{&turn_is_known, "seats", "loads over a revolution must be given at all of its positions", &open_turn},
       Rule<Input>{&torques_close, "seats", "driving and driven torques must balance", &open_sum},
@@ -253,7 +250,8 @@ r_T = 0
                   "mounted components rotate in opposite directions in two steps: turns = \"cw\" of the gears reverses "
                   "their forces",
                   nullptr, true},
-      yields_before_it_breaks<Input>(), lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
+      yields_before_it_breaks<Input>(),
+      lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
       Rule<Input>{&discs_are_bodies, "seats", "a disc must be a body of revolution", &no_body},
       Rule<Input>{[](const Input& in) { return !(in.E < 2.0 * in.G || in.E > 3.0 * in.G); }, "E, G",
                   "E must be between 2 G and 3 G: moduli of the same material"},

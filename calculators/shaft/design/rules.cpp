@@ -149,6 +149,8 @@ bool Design::stiff_enough(const Input& in) {
   return told || bears(in);  // by another rule
 }
 
+/// A rule without `pieces` among its fields, so that it is checked before diameters are searched for; where lengths
+/// vary, `on_shaft` includes it.
 bool Design::within_ends(const Input& in) {
   return !find_place(in, [&](const auto&, Length x) { return is_off(in, x); });
 }

@@ -237,9 +237,9 @@ TEST_SUITE("shaft tapers") {
     CHECK_FALSE(Solved(cone_end("", "d = \"30 mm\", d_2 = \"0 mm\"")).errors().empty());
     CHECK_FALSE(Solved(cone_end("", "d = \"30 mm\", d_2 = \"-40 mm\"")).errors().empty());
     CHECK(contains(messages(cone_end("", "d = \"30 mm\", d_2 = \"40 mm\", d_bore = \"35 mm\"")),
-                   "the bore of a segment must be smaller than its outer diameter and that of its neighbours"));
+                   "a bore must be smaller than the diameters of its segment and the neighbours"));
     CHECK(contains(messages(cone_end("", "d = \"60 mm\", d_2 = \"40 mm\", d_bore = \"45 mm\"")),
-                   "the bore of a segment must be smaller than its outer diameter and that of its neighbours"));
+                   "a bore must be smaller than the diameters of its segment and the neighbours"));
     CHECK_FALSE(Solved(cone_end("", "d = \"30 mm\", d_2 = \"inf mm\"")).errors().empty());
     CHECK_FALSE(Solved(cone_end("", "d = \"30 mm\", d_2 = \"?\"")).errors().empty());
     CHECK(contains(messages(cone_end("S_F = 1.5\n", "d = \"?\", d_2 = \"40 mm\"")), "no combination of sizes"));

@@ -23,8 +23,8 @@ using stated::in_few_digits;
 using stated::length;
 using stated::rate;
 
-const Dimension pressure = Dimension::of(-1, 1, -2);
-const Dimension duration = Dimension::of(0, 0, 1);
+using stated::duration;
+using stated::pressure;
 
 class Conditions {
  public:

@@ -20,9 +20,9 @@ using stated::in_few_digits;
 using stated::length;
 using stated::rate;
 
-const Dimension mass = Dimension::of(0, 1, 0);
-const Dimension speed = Dimension::of(1, 0, -1);
-const Dimension density = Dimension::of(-3, 1, 0);
+using stated::density;
+using stated::mass;
+using stated::speed;
 
 bool is_within(double share, double a, double b) {
   return std::abs(a - b) <= share * std::max(std::abs(a), std::abs(b));

@@ -16,8 +16,8 @@ namespace {
 constexpr double rounded = 0.05;  // of a result that the file states with few digits
 constexpr double kept = 1e-3;     // of a limit
 
-const Dimension speed = Dimension::of(1, 0, -1);
-const Dimension duration = Dimension::of(0, 0, 1);
+using stated::duration;
+using stated::speed;
 
 const FieldInfo* field_of(const Step& step, const std::string& name, bool of_results) {
   const Calculator* const calculator = step.input().calculator;

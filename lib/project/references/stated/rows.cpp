@@ -15,9 +15,9 @@ namespace {
 
 constexpr double few_digits = 0.02;
 
-const Dimension mass = Dimension::of(0, 1, 0);
-const Dimension inertia = Dimension::of(2, 1, 0);
-const Dimension force = Dimension::of(1, 1, -2);
+using stated::force;
+using stated::inertia;
+using stated::mass;
 
 /// Whether only more than the row has is unsafe: of a load, a mass, a moment of inertia, a share of the time.
 bool is_unsafe_above(const FieldInfo& field) {

@@ -245,8 +245,7 @@ bool Ordinary::Parts::run(const Mechanism::Input& in) {
     finite = finite && sweep::all_finite(columns.force(j).x) && sweep::all_finite(columns.force(j).y) &&
              sweep::all_finite(columns.couple(j));
   }
-  for (std::size_t k = 0; k < cycle.positions.size(); ++k)
-    columns.read(k, by_forces ? forces : everything, cycle.positions[k]);
+  columns.read_all(by_forces ? forces : everything, cycle.positions);
   return finite;
 }
 

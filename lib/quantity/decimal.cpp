@@ -132,6 +132,24 @@ double Decimals::nearest(double value) const {
   return std::isnan(number) ? value : times_power_of_ten(number, power_) + 0.0;
 }
 
+void Decimals::round(std::span<double> values, double zero) const {
+  const bool is_exact = std::abs(power_) <= exact_power_of_ten;
+  const double power = powers_of_ten[static_cast<std::size_t>(is_exact ? std::abs(power_) : 0)];
+  for (double& x : values) {
+    if (std::abs(x) <= zero) {
+      x = 0.0;
+      continue;
+    }
+    const double multiple = power_ < 0 ? x * power : x / power;  // times_power_of_ten
+    if (!is_exact || !(std::abs(multiple) < most)) {
+      x = nearest(x);
+      continue;
+    }
+    const auto number = static_cast<double>(static_cast<std::int64_t>(multiple + std::copysign(0.5, multiple)));
+    x = (power_ < 0 ? number / power : number * power) + 0.0;
+  }
+}
+
 void Decimals::append_nearest(double value, std::string& text) const {
   const double number = whole(value, power_);
   if (std::isnan(number)) return loadpath::append_exact(value, text);

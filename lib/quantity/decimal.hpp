@@ -2,6 +2,7 @@
 // formatting as fast as for integers.
 #pragma once
 
+#include <span>
 #include <string>
 
 namespace loadpath {
@@ -16,6 +17,8 @@ class Decimals {
 
   /// The multiple nearest to a number; the number itself if a double has no more digits than that, or it is NaN.
   [[nodiscard]] double nearest(double value) const;
+  /// The same of each; those up to `zero` become 0.
+  void round(std::span<double> values, double zero) const;
   /// The text of that: "-27.35", "30", "1.2e-07"; of a finite number.
   void append_nearest(double value, std::string& text) const;
   /// A text that reads back to the same finite double: of a multiple its own digits, else the shortest.

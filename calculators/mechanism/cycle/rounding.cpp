@@ -94,10 +94,11 @@ void ResultRounding::clear(Value& value, bool direction) const {
   if (scale == scales_.end()) return;
   value.rounding = rounding * scale->largest;
   const Decimals decimals = Decimals::within(value.rounding);
+  if (!direction) return decimals.round(value.si, value.rounding);
   for (std::size_t i = 0; i < value.si.size(); ++i) {
     double& x = value.si[i];
     const double beside = i > 0 ? value.si[i - 1] : value.si.size() > 1 ? value.si[1] : pi;  // the turn goes on from it
-    if (direction && std::abs(x + pi) <= value.rounding && beside > 0.0) x = pi;
+    if (std::abs(x + pi) <= value.rounding && beside > 0.0) x = pi;
     x = std::abs(x) <= value.rounding ? 0.0 : decimals.nearest(x);
   }
 }

@@ -30,6 +30,9 @@ struct Reading {
   struct Together {
     std::size_t count = 0;
     std::function<void(const Reached&, std::span<double> values)> read;
+    /// One of them at each of the positions, if it follows from these alone; null: they share what is found there.
+    std::function<void(std::span<const mechanism::Position>, std::size_t place, std::span<double> values)> read_one =
+        nullptr;
   };
   std::shared_ptr<const Together> together;
   std::size_t place = 0;  // position of this result among them

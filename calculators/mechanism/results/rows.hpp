@@ -63,7 +63,15 @@ void add_outputs(const Thing& thing, const std::array<Row<Thing>, Count>& rows, 
     const auto& now = now_of(thing, reached);
     for (std::size_t n = 0; n < own.size(); ++n) values[n] = own[n].read(thing, now);
   };
-  const auto together = std::make_shared<const Reading::Together>(Reading::Together{own.size(), read});
+  Reading::Together all{own.size(), read};
+  if constexpr (std::is_same_v<Now<Thing>, mechanism::Position>) {
+    all.read_one = [thing, own](std::span<const mechanism::Position> at, std::size_t place, std::span<double> values) {
+      std::ranges::transform(at, values.begin(), [&, read_of = own[place].read](const mechanism::Position& position) {
+        return read_of(thing, position);
+      });
+    };
+  }
+  const auto together = std::make_shared<const Reading::Together>(std::move(all));
   for (std::size_t n = 0; n < own.size(); ++n) {
     out.push_back(output(own[n].what, thing.name));
     out.back().read = {together, n};

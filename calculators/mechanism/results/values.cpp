@@ -14,10 +14,18 @@ namespace {
 /// Values read off the positions of a cycle, thing by thing: results of one thing follow one another.
 class Columns {
  public:
-  explicit Columns(const Solved& solved) : cycle_(solved.cycle), kinematics_(solved.kinematics) {}
+  explicit Columns(const Solved& solved)
+      : cycle_(solved.cycle),
+        kinematics_(solved.kinematics),
+        closes_(std::ranges::find(cycle_.closed, false) == cycle_.closed.end()) {}
 
   /// One value for every position; none where the mechanism does not close. Each is taken once.
   std::vector<double> take(const Reading& reading) {
+    if (closes_ && reading.together->read_one) {
+      std::vector<double> values(cycle_.positions.size());
+      reading.together->read_one(cycle_.positions, reading.place, values);
+      return values;
+    }
     if (of_ != reading.together.get()) read(*reading.together);
     return std::move(columns_[reading.place]);
   }
@@ -37,6 +45,7 @@ class Columns {
 
   const Cycle& cycle_;
   const Kinematics& kinematics_;
+  bool closes_;  // at all positions
   const Reading::Together* of_ = nullptr;
   std::vector<std::vector<double>> columns_;
   std::vector<double> values_;  // values of all at one position

@@ -179,6 +179,38 @@ void CycleColumns::read(std::size_t position, const Kept& what, Position& out) c
     out.loads[n] = courses_[n].empty() ? LoadNow{model_.loads[n].force, model_.loads[n].moment} : courses_[n][position];
 }
 
+/// The frames of a link from its three columns.
+void CycleColumns::read_frames(std::size_t column, std::size_t link, std::vector<Pose> Position::*of,
+                               std::span<Position> out) const {
+  const auto [x, y, phi] = frames(column);
+  for (std::size_t k = 0; k < out.size(); ++k) (out[k].*of)[link] = {x[k], y[k], phi[k]};
+}
+
+void CycleColumns::read_all(const Kept& what, std::span<Position> out) const {
+  for (std::size_t k = 0; k < links_; ++k) {
+    if (what.poses) read_frames(first_pose_ + 3 * k, k, &Position::pose, out);
+    if (what.velocities) read_frames(first_velocity_ + 3 * k, k, &Position::velocity, out);
+    if (what.accelerations) read_frames(first_acceleration_ + 3 * k, k, &Position::acceleration, out);
+  }
+  for (std::size_t j = 0; what.forces && j < joints_; ++j) {
+    const Vectors acting = force(j);
+    const auto turning = couple(j);
+    for (std::size_t k = 0; k < out.size(); ++k)
+      out[k].reactions[j] = {.at = {}, .force = {acting.x[k], acting.y[k]}, .couple = turning[k]};
+  }
+  for (std::size_t j = 0; what.pins && j < joints_; ++j) {
+    const Vectors pins = pin(j);
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].reactions[j].at = {pins.x[k], pins.y[k]};
+  }
+  for (std::size_t d = 0; what.forces && d < drivers_; ++d) {
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].effort[d] = effort(d)[k];
+  }
+  for (std::size_t n = 0; n < courses_.size(); ++n) {
+    const LoadNow same{model_.loads[n].force, model_.loads[n].moment};
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].loads[n] = courses_[n].empty() ? same : courses_[n][k];
+  }
+}
+
 /// False if some position is near a change point.
 bool CycleColumns::solve_in_lanes(std::span<const Drive> drives, bool statics) {
   const Chain* const chain = system_.chain();

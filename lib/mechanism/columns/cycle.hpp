@@ -70,6 +70,8 @@ class CycleColumns {
   /// A position as GroupSystem gives it, of a cycle that was solved in lanes: `what` of all that is kept. `out` is made
   /// by `blank_position`.
   void read(std::size_t position, const Kept& what, Position& out) const;
+  /// All of them.
+  void read_all(const Kept& what, std::span<Position> out) const;
   /// The first position, in full.
   [[nodiscard]] const Position& first() const { return position_; }
 
@@ -90,6 +92,8 @@ class CycleColumns {
   void write(std::size_t column, std::size_t position, const Pose& frame);
   void write_pins(std::size_t position);
   [[nodiscard]] Pose frame(std::size_t column, std::size_t position) const;
+  void read_frames(std::size_t column, std::size_t link, std::vector<Pose> Position::*of,
+                   std::span<Position> out) const;
 
   bool solve_in_lanes(std::span<const Drive> drives, bool statics);
   void take_drives(std::span<const Drive> drives);

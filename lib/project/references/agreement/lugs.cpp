@@ -79,7 +79,7 @@ class LugCheck {
     for (const int k : {0, 1}) {
       const Leaf leaf =
           find_leaf(mechanism->input().reading.record, rest + ".links." + std::string(k == 0 ? "first" : "second"));
-      if (leaf && leaf.field->text != nullptr) links_[static_cast<std::size_t>(k)] = leaf.field->text(leaf.owner);
+      if (leaf) links_[static_cast<std::size_t>(k)] = leaf.field->text(leaf.owner);
     }
     return true;
   }

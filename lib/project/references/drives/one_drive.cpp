@@ -87,7 +87,7 @@ std::vector<ReducedLoad> torques_at_other_speeds(const Step& step, const Project
     if (beside.empty() || speed.empty() || speed == beside) continue;
     if (split_step(torque).first != split_step(speed).first) continue;
     const double n = std::abs(magnitude_at(project, beside)), own = std::abs(magnitude_at(project, speed));
-    if (std::isnan(n) || std::isnan(own) || std::abs(n - own) <= same_shaft * n) continue;
+    if (!(std::abs(n - own) > same_shaft * n)) continue;
     return {{side[0], say("'{1}' acts at '{2}' = {3}, and {4} is '{5}' = {6}: take both of one shaft, or "
                           "because.{7} = \"...\"",
                           torque, beside, format_quantity(n, "rpm", 4), side[1], speed, format_quantity(own, "rpm", 4),

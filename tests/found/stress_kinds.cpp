@@ -53,6 +53,16 @@ TEST_SUITE("found kinds of stress") {
     // given as shear, or converted to a normal stress
     takes_stress(twisted_bar + cycle_of_it + "stress = \"shear\"\nsigma_max = \"=s.tau_max\"\n");
     takes_stress(twisted_bar + cycle_of_it + "sigma_max = \"=mises(0 MPa, s.tau_max)\"\n");
+    // a choice taken from another step, behind another one
+    const std::string taker =
+        "calculator = \"fatigue.life\"\nr = -1\nsigma_D = \"150 MPa\"\nR_m = \"690 MPa\"\nS_D = 1.2\nsigma_max = ";
+    const std::string typed = "\"90 MPa\"\ngroup = \"carbon-steel\"\nstress = \"shear\"\n";
+    takes_stress(twisted_bar + "[k]\n" + taker + typed + "[l]\n" + taker +
+                 "\"=s.tau_max\"\ngroup = \"=k.group\"\nstress = \"=k.stress\"\n");
+    // the strengths of a step in shear are no shear stresses
+    refuses_stress(twisted_bar + cycle_of_it + "stress = \"shear\"\nsigma_max = \"90 MPa\"\n[l]\n" + taker +
+                       "\"90 MPa\"\ngroup = \"carbon-steel\"\nstress = \"shear\"\nR_e = \"=s.tau_max\"\nS_F = 1.2\n",
+                   "'R_e' is a strength, but this expression is a shear stress");
   }
 
   TEST_CASE("a normal stress is not a shear stress, and an equivalent one has no plane") {

@@ -1,6 +1,7 @@
 // Each condition of the rules for columns next to [values] that no step takes.
 #include "lib/project/references/stated/columns.hpp"
 
+#include "tests/found/modes.hpp"
 #include "tests/lib/project/rules/rows.hpp"
 
 #include <string>
@@ -51,5 +52,20 @@ TEST_SUITE("project: columns stated otherwise") {
     check(example_of("shaft.torsion"), {{values, ""}});
     check(example_of("chain.roller"), {{values, ""}});
     check(example_of("column.effective_length"), {{values, ""}});
+  }
+}
+
+TEST_SUITE("project: bounds of links") {
+  TEST_CASE("the ends of a link are not those of a column with a load of [values]") {
+    const auto state = [](const std::string& P) {
+      return mode_of(
+          solved_as_found(
+              "[values]\nP = \"10 kN\"\n\n[c]\ncalculator = \"column.buckling\"\nP = \"" + P +
+              "\"\nl = \"900 mm\"\nh = \"28 mm\"\nb = \"20 mm\"\nends_y = \"fixed_pinned\"\nends_z = "
+              "\"fixed_fixed\"\nbeta_basis = \"recommended\"\nmaterial = \"S355\"\nmethod = \"johnson\"\nn_st = 3\n"),
+          "c", "buckling");
+    };
+    CHECK(state("=values.P") == state("10 kN"));
+    CHECK(state("=values.P") == "pass");
   }
 }

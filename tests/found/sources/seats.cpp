@@ -156,7 +156,8 @@ TEST_SUITE("found seats") {
 
   TEST_CASE("the allowable slope of a mounted component is within common practice") {
     const auto with = [](const std::string& beta_adm) {
-      return shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\", beta_adm = \"" + beta_adm + "\"");
+      return shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\", beta_adm = \"" + beta_adm + "\"",
+                        "integral = true, beta_adm = \"0.1 deg\"");
     };
     CHECK(is_doubted(with("3 deg"), "beta_adm"));
     CHECK_FALSE(is_doubted(with("0.03 deg"), "beta_adm"));

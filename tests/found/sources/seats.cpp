@@ -154,17 +154,6 @@ TEST_SUITE("found seats") {
     CHECK(first_error_of(gears + shaft_with(seat, "integral = true", "57 mm")).empty());
   }
 
-  TEST_CASE("the allowable slope of a mounted component is within common practice") {
-    const auto state = [](const std::string& beta_adm) {
-      return mode_of(
-          solved_as_found(shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\", beta_adm = \"" + beta_adm + "\"",
-                                     "integral = true, beta_adm = \"0.1 deg\"")),
-          "shaft", "slope_seats");
-    };
-    CHECK(state("3 deg") == "not-judged");
-    CHECK(state("0.1 deg") == "pass");
-  }
-
   TEST_CASE("a component integral with the shaft has no keyway under it") {
     const auto with = [](const std::string& notches, const std::string& coupling) {
       return key_with("1") + shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\"", coupling) + "notches = [" + notches +

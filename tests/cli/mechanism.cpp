@@ -152,7 +152,7 @@ TEST_SUITE("cli mechanism") {
     CHECK(desk.run({"mechanism", "planar", "--file", "a.toml"}).error ==
           "a.toml: error: the project has no step of 'mechanism.planar'\n");
     CHECK(desk.run({"mechanism", "planar", "--file", "b.toml"}).error ==
-          "loadpath: cannot read 'b.toml'\n  = help: no such file\n");
+          "loadpath: cannot read 'b.toml'\n  = help: did you mean 'a.toml'?\n");
     CHECK(desk.run({"mechanism", "planar", "--template", "scotch_yoke", "--r", "9 mm", "--at", "3 deg"}).error ==
           "--at: error: crank angles need a crank, and this mechanism has none\n  = help: write its speed: --crank '{ "
           "speed = "

@@ -209,7 +209,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
                              "$P sweep a.toml --quiet --out s2 --shard 2/3 --save-every 0 & at=$!; "
                              "while [ ! -e s2/state ]; do :; done; kill -9 $at; wait $at");
     CHECK(killed.code == 137);
-    refused(sweep(desk, "m", {"--merge", "s1", "s2", "s3"}), "'s2': it is not done: ");
+    refused(sweep(desk, "m", {"--merge", "s1", "s2", "s3"}), "'s2': it is not finished: ");
     refused(sweep(desk, "s2", {"--resume", "--shard", "1/3"}),
             "it is another share: points 140032-280063, not 0-140031");
     REQUIRE(sweep(desk, "s2", {"--resume", "--shard", "140032-280063"}).code == 0);

@@ -127,7 +127,7 @@ TEST_SUITE("drive train") {
     says("{ kind = \"crossed\", d_1 = \"40 mm\", d_2 = \"80 mm\" }", "the ratio of this stage is not given");
     says("{ kind = \"gear\", i = 2, z_1 = 20, z_2 = 40 }", "given more than once");
     says("{ kind = \"gear\", z_s = 20, z_r = 40, i = 3 }", "given more than once");
-    says("{ kind = \"planetary\", z_s = 20, z_r = 60, out = \"sun\" }", "cannot enter and leave by one member");
+    says("{ kind = \"planetary\", z_s = 20, z_r = 60, out = \"sun\" }", "cannot enter and leave through one member");
     says("{ kind = \"belt\", i = -2 }", "must be > 0");
     says("{ kind = \"chain\", i = 2, slip = 0.01 }", "slip applies to belts only, and their efficiency includes it");
     says("{ kind = \"belt\", i = 2, slip = 0.05, eta = 0.97 }",

@@ -111,6 +111,7 @@ void compare_typed_forces(const Step& step, const Project& project, std::vector<
     const bool is_force = leaf && leaf.field->is_load && leaf.field->dimension == force;
     if (is_force && !is_taken) typed.push_back(path);
   }
+  if (typed.empty()) return;  // forces that are read keep a sweep from solving its points together
   for (const std::string& name : steps_named_in(step.input().reading)) {
     const Step* const source = project.find(name);
     const double least = source == nullptr || source == &step ? std::nan("") : least_joint_force(*source);
@@ -167,7 +168,7 @@ void compare_work(const Step& mechanism, const Project& project, std::vector<Red
                                 "moves masses only: correct the directions, or because.loads = \"...\"")});
 }
 
-/// The mass of a link in its mechanism, next to the bar that is assessed with its load: only the bar has half of its
+/// The mass of a link in its mechanism, next to the bar that is assessed with its load: the bar has half of its
 /// volume at least, without the bores of its eyes.
 void compare_masses(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   constexpr double least = 0.5;

@@ -70,17 +70,17 @@ class RowCheck {
 
   /// The force on a mounted component, next to the resultant of its components.
   void compare_force(const std::string& at, const std::string& name) {
-    double square = 0.0;
-    std::string last;
-    for (const char* const key : {"F_x", "F_y", "F_z"}) {
-      const double component = own_value(step_, project_, at + key);
-      if (std::isnan(component) || component == 0.0) continue;
-      square += component * component, last = at + key;
-    }
     for (const auto& [stated, value] : project_.values.unused()) {
-      if (stated != name || last.empty() || !(value.signature.dimension == force)) continue;
+      if (stated != name || !(value.signature.dimension == force)) continue;
+      double square = 0.0;
+      std::string last;
+      for (const char* const key : {"F_x", "F_y", "F_z"}) {
+        const double component = own_value(step_, project_, at + key);
+        if (std::isnan(component) || component == 0.0) continue;
+        square += component * component, last = at + key;
+      }
       const double si = std::abs(value.si.front()), here = std::sqrt(square);
-      if (si > (1.0 + few_digits) * here) add(last, name, si, here, force, "N");
+      if (!last.empty() && si > (1.0 + few_digits) * here) add(last, name, si, here, force, "N");
     }
   }
 

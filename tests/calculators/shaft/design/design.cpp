@@ -300,7 +300,7 @@ TEST_SUITE("shaft design") {
     CHECK(contains(says("pieces = [{ l = \"100 mm\", d = \"30 mm\" }, { l = \"100 mm\", d = \"60 mm\", d_bore = \"40 "
                         "mm\" }]\n" +
                         two_bearings),
-                   "that of its neighbours"));
+                   "diameters of its segment and the neighbours"));
     const std::string long_bar =
         "pieces = [{ l = \"12 m\", d = \"40 mm\" }]\nsupports = [{ x = \"0 m\" }, { x = \"12 "
         "m\" }]\nd_h = \"40 mm\"\ng_angle = \"-90 deg\"\nS_F = 1.5\n";

@@ -82,7 +82,8 @@ TEST_SUITE("project: inputs stated otherwise") {
     const std::string vessel = example_of("vessel.cylinder", "c = \"1 mm\"\nc_t = \"0.5 mm\"");
     check(vessel, {{"c = \"2 mm\"", "c"}, {"c = \"0.5 mm\"", ""}, {"c_t = \"1 mm\"", "c_t"}, {"c_t = \"0.3 mm\"", ""}});
     check(vessel + "\n" + renamed(vessel, "other"),
-          {{"c_t = \"1 mm\"", "c_t"}, {"c = \"2 mm\"", ""}, {"R = \"700 mm\"", ""}});
+          {{"c_t = \"1 mm\"", "c_t"}, {"c = \"2 mm\"", "c"}, {"R = \"700 mm\"", "R"}});
+    check(vessel + "\n" + renamed(with_lines(vessel, "c = \"1.5 mm\""), "other"), {{"c = \"2 mm\"", ""}});
     check(example_of("gear.rating"), {{"grade = 9", "grade"}, {"grade = 5", ""}});
     check(example_of("belt.flat", "sigma_f = \"9 MPa\"\nm_f = 6\nL_req = \"4000 h\""),
           {{"L_req = \"5000 h\"", "L_req"}, {"L_req = \"3000 h\"", ""}});
@@ -105,10 +106,10 @@ TEST_SUITE("project: inputs stated otherwise") {
     check(bearing + "\n" + column(), {{"L_h = \"20000 h\"", "L_h"}});
   }
 
-  TEST_CASE("sizes are those of another part where several have them") {
+  TEST_CASE("sizes are those of another part where parts have different ones") {
     const std::string gears = example_of("gear.pair", "a_w =");
     check(gears, {{"z_2 = 80", "z_2"}, {"m_n = \"3 mm\"", "m_n"}, {"b = \"50 mm\"", "b"}, {"z_2 = 57", ""}});
-    check(gears + "\n" + renamed(gears, "second"), {{"z_1 = 30", ""}, {"z_2 = 80", ""}, {"b = \"50 mm\"", ""}});
+    check(gears + "\n" + renamed(gears, "second"), {{"z_1 = 30", "z_1"}, {"z_2 = 80", "z_2"}, {"b = \"50 mm\"", "b"}});
     check(gears + "\n" + renamed(with_lines(gears, "b = \"50 mm\""), "second"), {{"b = \"50 mm\"", ""}});
     check(gears + "\n" + example_of("bearing.rolling"), {{"z_2 = 80", "z_2"}});
     const std::string bevel = example_of("gear.bevel");

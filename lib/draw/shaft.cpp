@@ -2,10 +2,10 @@
 #include "lib/draw/canvas/rows.hpp"
 #include "lib/draw/diagrams.hpp"
 #include "lib/draw/scheme/parts.hpp"
-#include "lib/draw/shaft_parts.hpp"
 #include "lib/draw/side/description.hpp"
 #include "lib/draw/side/end_view.hpp"
 #include "lib/draw/side/outlines.hpp"
+#include "lib/draw/side/shaft_parts.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/text/issue.hpp"
 

@@ -65,7 +65,8 @@ const std::string squeezed = R"((() => {
   const said = [];
   for (const p of document.querySelectorAll("main p")) {
     const box = p.getBoundingClientRect(), letter = parseFloat(getComputedStyle(p).fontSize);
-    if (box.width > 0 && box.width < 4 * letter && p.textContent.length > 8) said.push(p.textContent.slice(0, 40));
+    const is_broken = box.width < 4 * letter && box.height > 3 * letter;
+    if (box.width > 0 && is_broken && p.textContent.length > 8) said.push(p.textContent.slice(0, 40));
   }
   return said.slice(0, 5).join("\n");
 })())";

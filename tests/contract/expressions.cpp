@@ -42,7 +42,7 @@ std::string shown(const project::Project& project, const std::vector<Issue>& iss
     for (const auto* entries : {&account.inputs, &account.results}) {
       for (const account::Entry& entry : *entries) {
         to << step->name() << "." << entry.path << " " << entry.word;
-        show(entry.value, to);
+        show(entry.values(), to);
         to << "\n";
       }
     }

@@ -100,9 +100,9 @@ std::string table_text(std::span<const FieldInfo> fields, void* owner, double lo
 std::size_t most_loaded(const Record& record, const account::Account& account) {
   for (const account::Entry& entry : account.inputs) {
     const Leaf leaf = find_leaf(record, entry.path);
-    if (!leaf || !leaf.field->is_load || entry.value.si.size() < 2) continue;
+    if (!leaf || !leaf.field->is_load || entry.values().si.size() < 2) continue;
     const auto less = [](double a, double b) { return std::abs(a) < std::abs(b) || std::isnan(a); };
-    const auto& si = entry.value.si;
+    const auto& si = entry.values().si;
     return static_cast<std::size_t>(std::max_element(si.begin(), si.end(), less) - si.begin());
   }
   return 0;
@@ -128,11 +128,11 @@ Record found_input(const project::Step& step) {
   for (const account::Entry& entry : step.account().inputs) {
     const Leaf leaf = find_leaf(record, entry.path);
     if (leaf && leaf.field->is_word()) set_word(leaf, entry.word);
-    if (!leaf || leaf.field->get == nullptr || entry.value.si.empty()) continue;
-    if (leaf.field->takes_whole() && entry.value.is_series())
-      leaf.field->set_series(leaf.owner, entry.value);
+    if (!leaf || leaf.field->get == nullptr || entry.values().si.empty()) continue;
+    if (leaf.field->takes_whole() && entry.values().is_series())
+      leaf.field->set_series(leaf.owner, entry.values());
     else
-      leaf.set(entry.value.si[entry.value.si.size() > 1 ? position : 0]);
+      leaf.set(entry.values().si[entry.values().si.size() > 1 ? position : 0]);
   }
   return record;
 }

@@ -1,7 +1,7 @@
 // A drawn shaft in words, for screen readers.
 #pragma once
 
-#include "lib/draw/shaft_parts.hpp"
+#include "lib/draw/side/shaft_parts.hpp"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "lib/draw/canvas/labels.hpp"
 #include "lib/draw/canvas/typeset.hpp"
 #include "lib/draw/scheme/parts.hpp"
-#include "lib/draw/shaft_parts.hpp"
+#include "lib/draw/side/shaft_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

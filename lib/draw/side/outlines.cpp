@@ -1,7 +1,7 @@
 #include "lib/draw/side/outlines.hpp"
 
 #include "lib/draw/canvas/typeset.hpp"
-#include "lib/draw/shaft_parts.hpp"
+#include "lib/draw/side/shaft_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -311,7 +311,7 @@ TEST_SUITE("report") {
     const std::string page = html(document);
     CHECK_FALSE(contains(page, "<script>alert"));
     const std::string scripts = page.substr(page.find("</main>"));
-    CHECK(scripts.size() < 8700);
+    CHECK(scripts.size() < 8800);
     CHECK(contains(scripts, ".motion"));
     CHECK_FALSE(contains(html(shaft_document()), ".motion\""));
     CHECK_FALSE(contains(between(page, "application/json\">", "</script>"), "alert"));

@@ -93,7 +93,7 @@ figure::Figure in_the_plane(const Input& in, const Result& r) {
 template <class Tracer>
 void hold_against_limit(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_D, in.S_D * r.sigma_a / in.sigma_D,
-          "required safety x amplitude / fatigue limit of fully reversed cycles");
+          "required safety factor times amplitude, over the fatigue limit of fully reversed cycles");
   if (r.kind == Kind::constant) return;
   STEP_TO(r, x_m, max(in.stress == Stresses::shear ? abs(r.sigma_m) : r.sigma_m, 0.0 * MPa) / r.sigma_a,
           "mean stress that lowers the limit; compression does not");

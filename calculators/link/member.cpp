@@ -107,7 +107,7 @@ void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
                   "mean stress at which the extreme fibre yields, or the link buckles in its plane, [Gere]");
   STEP_TO(r, u_p, n * sigma_c / sigma_s, "force and moment over those that the secant formula allows");
   const auto N_cy = trace.value("N_cy", r.axes[0].N_cr, "critical force in the plane");
-  STEP(x, n * r.F / N_cy, "n x force / critical force in the plane");
+  STEP(x, n * r.F / N_cy, "required safety factor times force, over the critical force in the plane");
   STEP_TO(r, k, x < 1.0 ? 1.0 / cos(pi / 2.0 * sqrt(x)) : 1.0,
           "amplification of a uniform moment at mid-length, [Gere]; beyond the critical force buckling governs");
   const double u = r.u;
@@ -123,7 +123,7 @@ void tilting(const Input& in, Result& r, Tracer& trace) {
   const auto sigma_M = r.sigma_M;
   const double c_t = trace.value("c_t", section::rectangle_factors(in.h / in.b).k_1, "of h/b, in torsion");
   const auto l_t = trace.value("l_t", max(in.l, max(r.axes[0].s, r.axes[1].s)), "the longest of l and s");
-  STEP(G, in.E / 2.6, "shear modulus of a metal, nu = 0.3");
+  STEP(G, in.E / 2.6, "shear modulus of a metal, ν = 0.3");
   STEP(I_z, in.h * pow<3>(in.b) / 12.0, "bending across");
   STEP(I_t, c_t * in.h * pow<3>(in.b), "torsion");
   STEP(M_cr, pi / l_t * sqrt(in.E * I_z * G * I_t), "critical moment of fork ends, Prandtl and Michell, [Narrow-beam]");

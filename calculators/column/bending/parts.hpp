@@ -49,7 +49,7 @@ FieldFault plastic_beyond_plates(const BeamColumnInput& in);
 
 Geometry geometry_of(const BeamColumnInput& in);
 
-/// The section in lateral-torsional buckling; the shear modulus of a metal, nu = 0.3.
+/// The section in lateral-torsional buckling; the shear modulus of a metal, ν = 0.3.
 Lateral lateral_of(const BeamColumnInput& in, const Geometry& s);
 
 /// Whether the bar bends about its stronger axis and can turn over.

@@ -3,6 +3,7 @@
 #include "calculators/shaft/design/bearing_seats.hpp"
 #include "calculators/shaft/design/connections.hpp"
 #include "calculators/shaft/design/model/bending.hpp"
+#include "calculators/shaft/design/model/misalignment.hpp"
 #include "calculators/shaft/design/model/positions.hpp"
 #include "calculators/shaft/design/model/turn.hpp"
 #include "calculators/shaft/design/sections.hpp"
@@ -40,7 +41,8 @@ SecondMoment polar_moment(const Input& in, const Loaded& loaded) {
 /// Bearing loads, and the places of the largest displacement, over all positions so far.
 class Movement {
  public:
-  Movement(const Input& in, Result& r) : in_(in), r_(r), F_r_(in.supports.size(), 0.0), F_a_(in.supports.size(), 0.0) {
+  Movement(const Input& in, const Elastic& elastic, Result& r)
+      : in_(in), elastic_(elastic), r_(r), F_r_(in.supports.size(), 0.0), F_a_(in.supports.size(), 0.0) {
     const Moment none = 0.0 * N_m.one;
     r.M_max = r.T_max = none, r.v_max = 0.0 * mm, r.theta_max = 0.0 * deg_per_m.one, r.phi = 0.0;
     for (const Support& support : in.supports) {
@@ -98,7 +100,16 @@ class Movement {
       s.beta = std::max(s.beta, loaded.slope(node));
       const Moment T = in_.K_A * torque_of(in_, i, position);
       if (is_set(s.T) && abs(T) > abs(s.T)) s.T = T;
+      if (has_face(in_.seats[i])) misalign(misalignment_of(in_, elastic_, loaded, i, position), s);
     }
+  }
+
+  /// At the position with the largest misalignment.
+  static void misalign(const Misalignment& m, Seated& s) {
+    const Length f_sh = from_si<Length>(std::abs(m.bending + m.twist) + m.sag);
+    if (f_sh <= s.f_sh) return;
+    s.delta_b = from_si<Length>(m.bending), s.delta_t = from_si<Length>(m.twist), s.delta_s = from_si<Length>(m.sag);
+    s.f_sh = f_sh;
   }
 
   /// Maxima over all sections.
@@ -115,6 +126,7 @@ class Movement {
   }
 
   const Input& in_;
+  const Elastic& elastic_;
   Result& r_;
   OfBearings F_r_, F_a_;  // sums of powers
 };
@@ -134,6 +146,22 @@ void stiffness(const Input& in, Result& r, Tracer& trace) {
   }
   if (is_set(in.theta_adm)) {
     STEP_TO(r, u_theta, r.theta_max / in.theta_adm, "stiffness in torsion");
+  }
+}
+
+/// The bent and twisted axis under the teeth of each cylindrical gear.
+template <class Tracer>
+void misalign_teeth(Result& r, Tracer& trace) {
+  for (std::size_t i = 0; i < r.seats.size(); ++i) {
+    Seated& s = r.seats[i];
+    if (!is_set(s.f_sh)) continue;
+    [[maybe_unused]] const auto here = trace.scope("seats", i);
+    const Length delta_b =
+        trace.value("delta_b", s.delta_b, "elastic line, right less left end of the face, along the tooth force");
+    const Length delta_t = trace.value("delta_t", s.delta_t, "angle of twist across the face x base radius");
+    const Length delta_s = trace.value("delta_s", s.delta_s, "middle of the face against its ends");
+    STEP_TO(s, f_sh, abs(delta_b + delta_t) + delta_s,
+            "separation of the flanks along the line of action, [AGMA927]; the sag added as in [ISO6336-1] 2006");
   }
 }
 
@@ -177,7 +205,7 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   r.s_max = steepest(in, trace);
   r.l = length_of(in);
   r.n = speed_of(in);
-  Movement movement(in, r);
+  Movement movement(in, *elastic, r);
   Turn turn(in, elastic->stations.x.size());
   for (std::size_t i = 0; i < turn.positions(); ++i) {
     const Loaded loaded = loaded_at(in, *elastic, i);
@@ -194,6 +222,7 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   critical_speed(in, *elastic, r, trace);
   judge_torsion(in, r, trace);
   judge_connections(in, r, trace);
+  misalign_teeth(r, trace);
   return r;
 }
 

@@ -40,7 +40,7 @@ struct Design {
       "bearings, with yielding and fatigue of every section and notch and the lateral and torsional critical "
       "speeds; loads are fixed in space while the shaft turns, or given over one revolution.";
   static constexpr auto source =
-      "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises], [Foeppl]";
+      "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises], [Foeppl], [AGMA927]";
   static constexpr auto headline = "d = {d_max}";
   static constexpr auto synonyms =
       "shaft, stepped shaft, shaft calculation, bearing reaction, deflection, slope, critical speed, whirling, "

@@ -3,6 +3,7 @@
 
 #include "calculators/shaft/design/model/input.hpp"
 #include "lib/calculator/list.hpp"
+#include "lib/quantity/fit_units.hpp"
 
 namespace loadpath::shaft {
 
@@ -59,6 +60,7 @@ struct Seated {
   Length v = unset<Length>;
   double beta = unset<double>, u_beta = unset<double>, x_c = unset<double>, x_peak = unset<double>, m_R = unset<double>,
          x_R = unset<double>, x_n = unset<double>;
+  Length delta_b = unset<Length>, delta_t = unset<Length>, delta_s = unset<Length>, f_sh = unset<Length>;
   static constexpr Fields fields{
       NameField{&Seated::name, "name", "name of the component"},
       Field{&Seated::x, "x", mm, "position"},
@@ -89,7 +91,17 @@ struct Seated {
       Field{&Seated::x_n, "x_n", ratio, "speed / speed up to which the interference fit is assessed"}
           .limit(0, 1 + 1e-6)
           .sizeless()
-          .where_it_applies()};
+          .where_it_applies(),
+      Field{&Seated::delta_b, "delta_b", um,
+            "bending across the face of a cylindrical gear, along its transverse normal force: right less left end"}
+          .holding("K_A"),
+      Field{&Seated::delta_t, "delta_t", um, "twist across the face x base radius, with the sign of delta_b"}.holding(
+          "K_A"),
+      Field{&Seated::delta_s, "delta_s", um, "sag of the face: its middle against the line between its ends"}.holding(
+          "K_A"),
+      Field{&Seated::f_sh, "f_sh", um,
+            "misalignment of the teeth from the deflection of the shaft, for f_sh_1 or f_sh_2 of gear.rating"}
+          .holding("K_A")};
 };
 
 /// A place of the shaft where something changes: the thinner of its two sides, with the larger moments.

@@ -198,6 +198,8 @@ const Law drives[] = {
     {"gear.rating", "", "S_Hmin = 2.2", "u_H2", 2},
     {"gear.rating", "", "S_Fmin = 2.8", "u_F1", 2},
     {"gear.rating", "", "S_Fmin = 2.8", "u_F2", 2},
+    {"gear.rating", "place = \nf_sh_1 = \"7 um\"", "place = \nf_sh_1 = \"9 um\"\nf_sh_2 = \"5 um\"", "f_sh", 2},
+    {"gear.rating", OF_ISO "place = \nf_sh_1 = \"7 um\"", OF_ISO "place = \nf_sh_1 = \"14 um\"", "f_sh", 2},
     {"gear.rating", "", OF_ISO, "sigma_H0", 1},  // spur gears
     {"gear.rating", OF_ISO, OF_ISO "T_1 = \"800 N*m\"", "c_prime", 1},
     {"gear.rating", OF_ISO, OF_ISO "T_1 = \"800 N*m\"", "B_p", 0.5},

@@ -535,6 +535,9 @@ const Case racks[] = {
      ISO_AT_REST
      "place = \"a\"\nl = \"200 mm\"\ns = \"50 mm\"\nd_sh = \"60 mm\"\nstiffening = \"pinion\"\nT_1 = \"1.4592 N*m\"",
      "f_sh", 1e-6 * 0.023 * 48 * 48 / (76 * 76) * (1 + 0.48 * 200 * 50 / (76 * 76) * std::pow(76.0 / 60, 4))},
+    // Shafts that do not deflect leave the manufacturing deviations.
+    {"gear.rating", "place = \nf_sh_1 = \"0 um\"\nf_ma = \"20 um\"", "F_betax", 20e-6},
+    {"gear.rating", ISO_AT_REST "place = \nf_sh_1 = \"0 um\"\nf_ma = \"96 um\"", "F_betax", 96e-6},
     {"gear.rating", "f_ma = \"0 um\"\nb = \"1 um\"\nT_1 = \"1 N*m\"", "K_Hbeta", 1},
     // Far from the middle, and a torque that enters there, but no load: nothing bends.
     {"gear.rating",

@@ -88,6 +88,7 @@ struct Spectra {
 inline Input input_of_block(const Input& in, const LoadBlock& block) {
   Input at = in;
   at.T_1 = block.k * in.T_1;
+  at.f_sh_1 = block.k * in.f_sh_1, at.f_sh_2 = block.k * in.f_sh_2;
   if (is_set(block.n)) at.n_1 = block.n;
   at.blocks.clear();
   return at;

@@ -87,9 +87,14 @@ inline double lead_relief(Crowning crowning) {
   return crowning == Crowning::none ? 1.0 : crowning == Crowning::crowned ? 0.5 : 0.7;
 }
 
-/// Deflection of the pinion and its shaft.
+/// Deflection of the pinion and its shaft, by method C unless that of the shafts is given.
 template <class Tracer>
 void deflection_iso(const Input& in, const PairResult& g, double w_m, Result& r, Tracer& trace) {
+  if (has_deflections(in)) {
+    const Length f_shA = deflection_of_shafts(in, trace);
+    STEP_TO(r, f_sh, r.K_V * f_shA, "equivalent misalignment due to shaft deflection under F_t K_A K_V");
+    return;
+  }
   const Length d_1 = trace.value("d_1", g.d_1, "reference circle of gear 1");
   const double K_p =
       trace.value("K_p", place_constant(in.place, in.stiffening), "by the position of the pinion, [ISO6336-1] 2006");

@@ -83,16 +83,21 @@ Length manufacturing_deviation(const Input& in, const PairResult& g, Tracer& tra
                      "helix slope tolerance of the grade, ISO 1328-1:1995, not checked against the source");
 }
 
+/// Deflection of the pinion and its shaft, by method C unless that of the shafts is given.
 template <class Tracer>
-void face_load_factor(const Input& in, const PairResult& g, const Wheel& one, const Wheel& two, Stress lim_1,
-                      Stress lim_2, Result& r, Tracer& trace) {
-  const Length d_1 = trace.value("d_1", g.d_1, "reference circle of gear 1");
-  STEP(w_m, r.F_t * in.K_A * r.K_V / in.b / N_per_mm, "mean line load, N/mm");
+void deflection(const Input& in, const PairResult& g, double w_m, Result& r, Tracer& trace) {
   const double A = trace.value("A",
                                in.crowning == Crowning::none      ? 0.023
                                : in.crowning == Crowning::crowned ? 0.012
                                                                   : 0.016,
                                "by the lead modification, [DIN3990-11]");
+  if (has_deflections(in)) {
+    const Length f_shA = deflection_of_shafts(in, trace);
+    STEP_TO(r, f_sh, A / 0.023 * r.K_V * f_shA,
+            "equivalent misalignment due to shaft deflection under F_t K_A K_V, by the lead modification");
+    return;
+  }
+  const Length d_1 = g.d_1;
   const double K_p =
       trace.value("K_p", place_constant(in.place, in.stiffening), "by the position of the pinion, [DIN3990-11]");
   if (K_p == 0.0) {
@@ -104,6 +109,14 @@ void face_load_factor(const Input& in, const PairResult& g, const Wheel& one, co
                 pow<2>(in.b / d_1) * um,
             "equivalent misalignment due to pinion and shaft deformation, [DIN3990-11]");
   }
+}
+
+template <class Tracer>
+void face_load_factor(const Input& in, const PairResult& g, const Wheel& one, const Wheel& two, Stress lim_1,
+                      Stress lim_2, Result& r, Tracer& trace) {
+  trace.value("d_1", g.d_1, "reference circle of gear 1");
+  STEP(w_m, r.F_t * in.K_A * r.K_V / in.b / N_per_mm, "mean line load, N/mm");
+  deflection(in, g, w_m, r, trace);
   const Length f_sh = r.f_sh;
   const Length f_ma = manufacturing_deviation(in, g, trace);
   if (in.pattern == Pattern::favourable) {

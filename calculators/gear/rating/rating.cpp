@@ -155,6 +155,13 @@ bool Rating::has_wide_tip(const Input& in) {
   return !is_set(in.s_pr) || rating::rounding_centre(in, quiet) >= 0.0;
 }
 
+/// Under F_t K_A, as f_sh_1 is.
+double Rating::deflection_midway(const Input& in) {
+  const Length d_1 = geometry_of(in).d_1;
+  const double w = 2.0 * abs(in.T_1) / d_1 * in.K_A / in.b / N_per_mm;
+  return w * 0.023 * (in.b / d_1) * (in.b / d_1) * 1e-6;
+}
+
 double Rating::least_deviation(const Input& in) {
   const PairResult g = geometry_of(in);
   return is_iso(in) ? tolerances_of(in, g, in.grade).f_ma() * 1e-6 : in_si(helix_tolerance(in, g));

@@ -3,13 +3,14 @@
 // Decides the dynamic factor, the load over the face width and among the teeth, the contact stress and the root stress
 // of both gears, their limits for endurance or at their cycles, and both safety factors. DIN 3990-11:1989, the form of
 // ISO 6336 for machinery, with the helix factor of DIN 3990-2; or ISO 6336-1, -2 and -3:2006, method B, the load over
-// the face width by method C. Allowable stress numbers by ISO 6336-5 or as given. Loads nominal, with the application
-// factor K_A; T_1 is the torque of gear 1. Load spectra by ISO 6336-6, with damage sums. Not covered: inner teeth, DIN
-// 3990 beyond its dynamic constants, webs, scuffing, micropitting, case crushing; ISO 6336 of 2019 except Y_F and
-// Y_beta, form circles of protuberance tools, grinding notches. From memory: moduli of irons, f_ma of DIN 3990 where it
-// is not given, F_betaxmin, Y_A of idlers, numbers of ISO clauses.
+// the face width by method C or from the elastic lines of both shafts. Allowable stress numbers by ISO 6336-5 or as
+// given. Loads nominal, with the application factor K_A; T_1 is the torque of gear 1. Load spectra by ISO 6336-6, with
+// damage sums. Not covered: inner teeth, DIN 3990 beyond its dynamic constants, webs, scuffing, micropitting, case
+// crushing; ISO 6336 of 2019 except Y_F and Y_beta, form circles of protuberance tools, grinding notches. From memory:
+// moduli of irons, f_ma of DIN 3990 where it is not given, F_betaxmin, Y_A of idlers, numbers of ISO clauses.
 #pragma once
 
+#include "calculators/gear/rating/deflection.hpp"
 #include "calculators/gear/rating/materials.hpp"
 #include "calculators/gear/rating/types.hpp"
 #include "lib/calculator/bound.hpp"
@@ -81,12 +82,13 @@ S_Fmin = 1.4
   static bool has_line(const Input& in);
   static FieldFault missing_line(const Input& in);
   static bool is_laid_out(const Input& in);
-  static bool leaves_middle(const Input& in) { return in.place > Place::middle; }
+  static bool leaves_middle(const Input& in) { return is_away_from_middle(in); }
   static bool is_in_place(const Input& in);
   static bool is_stiffened(const Input& in);
   static bool has_rims(const Input& in);
   static bool has_wide_tip(const Input& in);
   static double least_deviation(const Input& in);
+  static double deflection_midway(const Input& in);
 
   static constexpr Fields inputs_of_teeth{
       RecordField<Input>{"mesh", "gear pair: mesh = \"=stage.mesh\""},
@@ -158,7 +160,7 @@ S_Fmin = 1.4
           .positive()
           .usually(40, 525)
           .may_be_missing(),
-      Choice{&Input::place, "place", "position of the pinion relative to the bearings (DIN 3990-11)"},
+      Choice{&Input::place, "place", "position of the pinion relative to the bearings (DIN 3990-11)"}.may_be_missing(),
       Field{&Input::l, "l", mm, "bearing span of the pinion shaft"}.positive().may_be_missing(),
       Field{&Input::s, "s", mm, "distance of the pinion from the middle of the span"}.positive().may_be_missing(),
       Field{&Input::d_sh, "d_sh", mm, "diameter of the pinion shaft"}.positive().may_be_missing(),
@@ -192,7 +194,8 @@ S_Fmin = 1.4
           .customarily_at_least(1.2)
           .may_be_missing()
           .factor()};
-  static constexpr auto inputs = join(inputs_of_teeth, inputs_of_capacity, spectrum_inputs<Input>());
+  static constexpr auto inputs =
+      join(inputs_of_teeth, inputs_of_capacity, deflection_inputs<Input>(), spectrum_inputs<Input>());
 
   static constexpr Fields results_of_pair{
       Field{&Result::F_t, "F_t", N, "nominal tangential force at the reference circle"},
@@ -301,7 +304,7 @@ S_Fmin = 1.4
           &is_in_place, "place, l, s, d_sh, b",
           "an overhung pinion (c) has s above l/2, one between the bearings (a, b, d, e) below; the span is wider "
           "than the face, and the shaft no thicker than the root circle"}};
-  static constexpr std::array rules_of_capacity{
+  static constexpr std::array rules_of_values{
       Rule<Input>{&has_strengths, "quality_1, quality_2, sigma_Hlim_1, sigma_Hlim_2, sigma_Flim_1, sigma_Flim_2",
                   "each gear needs quality and H, or sigma_Hlim and sigma_Flim", &missing_strength},
       Rule<Input>{&has_line, "material_1, material_2, quality_1, quality_2, H_1, H_2",
@@ -327,21 +330,19 @@ S_Fmin = 1.4
                   "standard, root_edition", "an edition of ISO 6336-3 needs standard = \"iso6336\""},
       Rule<Input>{[](const Input& in) { return in.standard == RatingStandard::iso6336 || !is_set(in.C_a); },
                   "standard, C_a", "tip relief is a quantity of ISO 6336-1: standard = \"iso6336\""},
-      Rule<Input>{
-          [](const Input& in) { return !leaves_middle(in) || (is_set(in.l) && is_set(in.d_sh) && is_set(in.s)); },
-          "place, l, d_sh, s", "a pinion away from the middle needs l, s and d_sh"},
-      Rule<Input>{[](const Input& in) { return leaves_middle(in) || !is_set(in.s); }, "place, s",
-                  "midway between the bearings s is zero: for another position name a to e"},
-      Rule<Input>{[](const Input& in) { return in.place != Place::untold; }, "place",
-                  "give the position of the pinion relative to the bearings: place = \"middle\", or \"a\" to \"e\""},
       Rule<Input>{[](const Input& in) { return !(abs(in.n_1) <= 0.0 * rpm); }, "n_1",
                   "a running gear needs a speed greater than zero"}};
-  static constexpr auto rules = join(rules_of_capacity, rules_of_teeth, spectrum_rules<Input>());
+  static constexpr auto rules_of_capacity = join(rules_of_values, position_rules<Input>());
+  static constexpr auto rules =
+      join(rules_of_capacity, rules_of_teeth, deflection_rules<Input>(), spectrum_rules<Input>());
 
   /// Flanks that are ground and then finished by tumbling, from memory.
   static double least_roughness(const Input&) { return in_si(0.5 * um); }
   static constexpr std::array bounds{
       Bound<Input>{"f_ma", "the helix slope tolerance of the grade", &least_deviation}.least(),
+      Bound<Input>{"f_sh_1", "the deflection of a pinion midway between its bearings by method C", &deflection_midway}
+          .least()
+          .sparing_results(),
       Bound<Input>{"R_z1", "the smoothest ground flanks", &least_roughness}.least(),
       Bound<Input>{"R_z2", "the smoothest ground flanks", &least_roughness}.least(),
       Bound<Input>{"nu_40", "the curves of ISO 6336-2", [](const Input&) { return in_si(500.0 * mm2_per_s); }},

@@ -41,6 +41,7 @@ struct RatingTypes {
     Stress sigma_Flim_1 = unset<Stress>, sigma_Flim_2 = unset<Stress>;
     Place place = Place::untold;
     Length l = unset<Length>, s = unset<Length>, d_sh = unset<Length>;
+    Length f_sh_1 = unset<Length>, f_sh_2 = unset<Length>;
     Stiffening stiffening = Stiffening::none;
     Crowning crowning = Crowning::none;
     Length f_ma = unset<Length>, C_a = unset<Length>;

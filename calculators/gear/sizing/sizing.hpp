@@ -35,8 +35,9 @@ constexpr auto rules_of_rating(std::index_sequence<index...>) {
       all[index].only_warns, all[index].modes}...};
 }
 
-/// The bounds of gear.rating but the first, which depends on the teeth.
+/// The bounds of gear.rating but the first two: one depends on the teeth, the other on their shaft.
 static_assert(std::string_view(Rating::bounds[0].field) == "f_ma");
+static_assert(std::string_view(Rating::bounds[1].field) == "f_sh_1");
 template <class Input, std::size_t index>
 constexpr Bound<Input> bound_of_rating() {
   constexpr auto& of = Rating::bounds[index];
@@ -46,7 +47,7 @@ constexpr Bound<Input> bound_of_rating() {
 }
 template <class Input, std::size_t... index>
 constexpr auto bounds_of_rating(std::index_sequence<index...>) {
-  return std::array{bound_of_rating<Input, index + 1>()...};
+  return std::array{bound_of_rating<Input, index + 2>()...};
 }
 
 struct PairSizing : PairSizingTypes {
@@ -203,29 +204,32 @@ S_Fmin = 1.4
                 "rejected pairs with the reason: those ahead of the best one; if none passes, the nearest to passing"}};
 
   static constexpr auto rules = join(
-      std::array{Rule<Input>{[](const Input& in) { return is_set(in.T_1) != is_set(in.P); }, "T_1, P",
-                             "give the load either as T_1 or as P"},
-                 Rule<Input>{[](const Input& in) { return is_set(in.S_Hmin) && is_set(in.S_Fmin); }, "S_Hmin, S_Fmin",
-                             "the gears are sized for the required safety factors: give S_Hmin and S_Fmin"},
-                 Rule<Input>{[](const Input& in) { return in.z_min <= in.z_max; }, "z_min, z_max",
-                             "the minimum number of teeth must not exceed the maximum"},
-                 Rule<Input>{[](const Input& in) { return !(in.m_min > in.m_max); }, "m_min, m_max",
-                             "the minimum module must not exceed the maximum"},
-                 Rule<Input>{[](const Input& in) { return in.psi_min <= in.psi_max; }, "psi_min, psi_max",
-                             "the minimum face width must not exceed the maximum"},
-                 Rule<Input>{[](const Input& in) { return !(is_set(in.a_set) && is_set(in.x_sum)); }, "a_set, x_sum",
-                             "the centre distance sets the sum of the profile shifts: omit x_sum"},
-                 Rule<Input>{[](const Input& in) {
-                               return in.shift == Shift::balanced || !(is_set(in.a_set) || is_set(in.x_sum));
-                             },
-                             "shift, a_set, x_sum",
-                             "gears without profile shift have no choice of a_set or x_sum: shift = \"balanced\""}},
+      std::array{
+          Rule<Input>{[](const Input& in) { return is_set(in.T_1) != is_set(in.P); }, "T_1, P",
+                      "give the load either as T_1 or as P"},
+          Rule<Input>{[](const Input& in) { return is_set(in.S_Hmin) && is_set(in.S_Fmin); }, "S_Hmin, S_Fmin",
+                      "the gears are sized for the required safety factors: give S_Hmin and S_Fmin"},
+          Rule<Input>{[](const Input& in) { return in.z_min <= in.z_max; }, "z_min, z_max",
+                      "the minimum number of teeth must not exceed the maximum"},
+          Rule<Input>{[](const Input& in) { return !(in.m_min > in.m_max); }, "m_min, m_max",
+                      "the minimum module must not exceed the maximum"},
+          Rule<Input>{[](const Input& in) { return in.psi_min <= in.psi_max; }, "psi_min, psi_max",
+                      "the minimum face width must not exceed the maximum"},
+          Rule<Input>{[](const Input& in) { return !(is_set(in.a_set) && is_set(in.x_sum)); }, "a_set, x_sum",
+                      "the centre distance sets the sum of the profile shifts: omit x_sum"},
+          Rule<Input>{
+              [](const Input& in) { return in.shift == Shift::balanced || !(is_set(in.a_set) || is_set(in.x_sum)); },
+              "shift, a_set, x_sum",
+              "gears without profile shift have no choice of a_set or x_sum: shift = \"balanced\""},
+          Rule<Input>{[](const Input& in) { return in.place != Place::untold; }, "place",
+                      "give the position of the pinion relative to the bearings: place = \"middle\", or \"a\" to "
+                      "\"e\""}},
       rules_of_rating<Input>(std::make_index_sequence<Rating::rules_of_capacity.size()>{}));
 
   static double least_deviation(const Input& in);
   static constexpr auto bounds =
       join(std::array{Bound<Input>{"f_ma", "the helix slope tolerance of the grade", &least_deviation}.least()},
-           bounds_of_rating<Input>(std::make_index_sequence<Rating::bounds.size() - 1>{}));
+           bounds_of_rating<Input>(std::make_index_sequence<Rating::bounds.size() - 2>{}));
   static constexpr std::array meanings{Meaning{"best.z_1, best.T_1", flanks_ground, "finish", "ground"}};
   static constexpr std::array senses{SenseClaim{"T_1, P", "idler", "none, gear_1, gear_2", "both"}};
   static constexpr bool turns = true;

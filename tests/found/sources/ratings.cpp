@@ -112,6 +112,42 @@ TEST_SUITE("found ratings") {
     CHECK(place_with("place = \"a\"\nl = \"90 mm\"\ns = \"40 mm\"\nd_sh = \"50 mm\"\n") == "not-judged");
   }
 
+  TEST_CASE("the deflection of a shaft is that under the gear of the pair, with its application factor") {
+    const std::string of_pinion = "f_sh_1 = \"=shaft.seats.pinion.f_sh\"\n";
+    CHECK(place_with(of_pinion) == "pass");
+    CHECK(place_with("f_sh_1 = \"=shaft.seats[1].f_sh\"\n") == "pass");
+    CHECK(first_error_of(gears + rated(of_pinion + midway) + shaft_with("120 mm")).find("f_sh_1") != std::string::npos);
+    const auto on = [&](const std::string& gear, const std::string& lines, const std::string& more = "") {
+      std::string shaft = shaft_with("120 mm");
+      shaft.replace(shaft.find("gears.gear_1"), 12, gear);
+      return pitting(gears + rated(of_pinion + lines) + shaft + more);
+    };
+    CHECK(on("gears.gear_2", "f_sh_2 = \"2 um\"\n") == "not-judged");
+    std::string other = gears;
+    other.replace(1, 5, "other");
+    CHECK(on("other.gear_1", "", other) == "not-judged");
+    CHECK(on("other.gear_1", "because.f_sh_1 = \"the same gear\"\n", other) == "pass");
+    CHECK(on("gears.gear_1", "K_A = 1.1\n") == "not-judged");
+    CHECK(on("gears.gear_1", "K_A = 1.1\nbecause.f_sh_1 = \"shocks are short\"\n") == "pass");
+    std::string raised = gears;
+    raised += "K_A = 1.1\n";
+    CHECK(pitting(raised + rated(of_pinion) + shaft_with("120 mm")) == "pass");
+    CHECK(pitting(gears + rated(of_pinion + "K_A = 1.1\n") + shaft_with("120 mm") + "K_A = 1.1\n") == "pass");
+  }
+
+  TEST_CASE("the deflection of the wheel shaft is taken, too, if the project has it") {
+    const std::string of_pinion = "f_sh_1 = \"=shaft.seats.pinion.f_sh\"\n";
+    std::string wheel = shaft_with("120 mm");
+    wheel.replace(wheel.find("[shaft]"), 7, "[slow]").replace(wheel.find("gears.gear_1"), 12, "gears.gear_2");
+    const auto with = [&](const std::string& lines) {
+      return pitting(gears + rated(of_pinion + lines) + shaft_with("120 mm") + wheel);
+    };
+    CHECK(with("") == "not-judged");
+    CHECK(with("f_sh_2 = \"=slow.seats.pinion.f_sh\"\n") == "pass");
+    CHECK(with("f_sh_2 = \"=shaft.seats.pinion.f_sh\"\n") == "not-judged");
+    CHECK(with("because.f_sh_2 = \"three bearings\"\n") == "pass");
+  }
+
   TEST_CASE("a segment that is searched for does not hide the thicker one before it") {
     std::string shaft = shaft_with("120 mm");
     const std::string piece = R"({ l = "220 mm", d = "50 mm" })", fatigue = "S_D = 1.5\nr_T = 0\n";

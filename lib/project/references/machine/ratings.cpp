@@ -73,7 +73,9 @@ class RatingCheck {
     for (const auto& shaft : project_.steps) {
       compare_shaft(*shaft, word_of(place));
       compare_hardening(*shaft);
+      compare_mate(*shaft);
     }
+    for (const char* const number : {"1", "2"}) compare_deflection(number);
     compare_cycles(step_);
     for (const auto& pair : project_.steps) {
       if (!pairs_.contains(pair->name())) continue;
@@ -84,7 +86,8 @@ class RatingCheck {
   }
 
  private:
-  static constexpr double drawn = 0.02;  // of the span: accuracy of a place midway
+  static constexpr double drawn = 0.02;         // of the span: accuracy of a place midway
+  static constexpr double drawn_factor = 1e-3;  // of K_A: rounding
 
   void add(const char* path, Message message) { found_.push_back({path, std::move(message)}); }
 
@@ -129,6 +132,75 @@ class RatingCheck {
       found_.push_back({key, say("the teeth are one piece with the shaft '{1}' of {2}, which cannot be case-hardened; "
                                  "justify it: because.{3} = \"...\"",
                                  shaft.name(), material, key)});
+    }
+  }
+
+  /// The pair whose teeth are rated: of its record, else any step that it refers to.
+  bool is_pair(const std::string& name) const {
+    const auto& records = step_.input().reading.records;
+    const auto mesh = std::find_if(records.begin(), records.end(), [](const Taken& r) { return r.path == "mesh"; });
+    return mesh == records.end() ? pairs_.contains(name) : split_step(mesh->source).first == name;
+  }
+
+  /// The load of the component at "seats.pinion." of a shaft, "stage.gear_1"; empty if no step gives it.
+  static std::string load_at(const Step& shaft, const std::string& seat) {
+    const Record& record = shaft.input().reading.record;
+    const Leaf x = find_leaf(record, seat + "x");
+    for (const Taken& load : shaft.input().reading.records) {
+      if (!load.path.ends_with(".load")) continue;
+      const Leaf other = find_leaf(record, prefix_of(load.path) + "x");
+      if (x && other && x.owner == other.owner) return load.source;
+    }
+    return {};
+  }
+
+  /// The deflection of a shaft is that under the gear of the same number, and under its load with the same K_A.
+  void compare_deflection(const std::string& number) {
+    const std::string key = "f_sh_" + number;
+    const Operand* const operand = step_.input().reading.operand(key);
+    if (operand == nullptr) return;
+    for (const auto& reference : operand->expression.references()) {
+      const auto [name, rest] = split_step(reference.path);
+      const Step* const shaft = project_.find(name);
+      if (shaft == nullptr || shaft->input().calculator == nullptr || !rest.starts_with("seats")) continue;
+      const std::string load = load_at(*shaft, prefix_of(rest));
+      const auto [pair, gear] = split_step(load);
+      if (!load.empty() && !(is_pair(pair) && gear == "gear_" + number)) {
+        found_.push_back({key, say("{1} is that of '{2}', which carries '{3}': take that of gear {4} of the pair that "
+                                   "is rated, or because.{1} = \"...\"",
+                                   key, reference.path, load, number)});
+        return;
+      }
+      compare_factor(key, *shaft);
+    }
+  }
+
+  /// K_A is applied once: in the loads of the shaft, so that its deflection includes it.
+  void compare_factor(const std::string& key, const Step& shaft) {
+    const Factors& held = shaft.loads().factors;
+    const std::string of_loads = of_kind(held, "K_A");
+    const double in_loads = of_loads.empty() ? 1.0 : held.at(of_loads);
+    const double there = in_loads * std::fmax(1.0, own_value(shaft, project_, "K_A"));
+    const double here = own_value(step_, project_, "K_A");
+    if (!(there < (1.0 - drawn_factor) * here)) return;
+    found_.push_back({key, say("{1} includes K_A = {2} of the loads of '{3}', and the teeth are rated with {4}: give "
+                               "the shaft the load of the pair, or because.{1} = \"...\"",
+                               key, format_number(there, 4), shaft.name(), format_number(here, 4))});
+  }
+
+  /// A shaft that carries gear 2 and whose deflection is left out, while that of shaft 1 is taken.
+  void compare_mate(const Step& shaft) {
+    const Reading& reading = step_.input().reading;
+    if (reading.operand("f_sh_1") == nullptr || reading.operand("f_sh_2") != nullptr ||
+        !std::isnan(own_value(step_, project_, "f_sh_2")))
+      return;
+    for (const Taken& record : shaft.input().reading.records) {
+      const auto [pair, gear] = split_step(record.source);
+      if (gear != "gear_2" || !is_pair(pair) || !record.path.ends_with(".load")) continue;
+      found_.push_back({"f_sh_2", say("f_sh_2 is missing, and '{1}' carries gear 2: f_sh_2 = \"={1}.{2}f_sh\", or "
+                                      "because.f_sh_2 = \"...\"",
+                                      shaft.name(), prefix_of(record.path))});
+      return;
     }
   }
 

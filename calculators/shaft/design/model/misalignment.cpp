@@ -37,6 +37,20 @@ double twist_at(const Loaded& loaded, const Within& at) {
   return (1.0 - t) * loaded.phi[at.span] + t * loaded.phi[at.span + 1];
 }
 
+/// Torque next to the middle of the face, in the span to its left or right.
+double torque_next_to(const Loaded& loaded, std::size_t node, bool on_right) {
+  if (on_right) return node < loaded.T.size() ? loaded.T[node] : 0.0;
+  return node > 0 ? loaded.T[node - 1] : 0.0;
+}
+
+/// Twist of one half of the face: of the shaft, or of the body of the gear up to its root circle, which is stiffer. The
+/// hub of a wheel keeps its teeth from the twist of the shaft in it.
+double twist_of_half(double of_shaft, double T, double half, double G, const Seat& gear) {
+  if (!is_set(gear.d_f)) return of_shaft;
+  const double of_body = T * half / (G * pi / 32.0 * std::pow(in_si(gear.d_f), 4.0));
+  return std::abs(of_body) < std::abs(of_shaft) ? of_body : of_shaft;
+}
+
 /// Direction of the transverse force in X and Y, and its lever about the axis: the base radius. No force: none.
 struct Normal {
   double x = 0.0, y = 0.0, lever = 0.0;
@@ -78,7 +92,12 @@ Misalignment misalignment_of(const Input& in, const Elastic& elastic, const Load
   const double T = in_si(torque_of(in, seat, position)), way = T < 0.0 ? 1.0 : T > 0.0 ? -1.0 : 0.0;
   Misalignment m;
   m.bending = yields(right) - yields(left);
-  m.twist = way * normal.lever * (twist_at(loaded, right) - twist_at(loaded, left));
+  const std::size_t node = loaded.stations.at(gear.x);
+  const double phi_left = twist_at(loaded, middle) - twist_at(loaded, left),
+               phi_right = twist_at(loaded, right) - twist_at(loaded, middle), G = in_si(in.G);
+  const double twist = twist_of_half(phi_left, torque_next_to(loaded, node, false), half, G, gear) +
+                       twist_of_half(phi_right, torque_next_to(loaded, node, true), half, G, gear);
+  m.twist = way * normal.lever * twist;
   m.sag = std::abs(yields(middle) - (yields(left) + yields(right)) / 2.0);
   return m;
 }

@@ -6,7 +6,8 @@
 namespace loadpath::shaft {
 
 /// Displacements along the transverse normal force of the mesh, positive where the shaft yields more at the right end
-/// of the face: by bending, and by twist at the base radius. `sag`: of the middle of the face against its ends.
+/// of the face: by bending of the shaft, and by twist at the base radius, of the shaft or of the body of the gear up to
+/// its root circle where this is stiffer. `sag`: of the middle of the face against its ends.
 struct Misalignment {
   double bending = 0.0, twist = 0.0, sag = 0.0;
 };

@@ -95,8 +95,9 @@ struct Seated {
       Field{&Seated::delta_b, "delta_b", um,
             "bending across the face of a cylindrical gear, along its transverse normal force: right less left end"}
           .holding("K_A"),
-      Field{&Seated::delta_t, "delta_t", um, "twist across the face x base radius, with the sign of delta_b"}.holding(
-          "K_A"),
+      Field{&Seated::delta_t, "delta_t", um,
+            "twist of the gear body (d_f missing: of the shaft) across the face x base radius, signed as delta_b"}
+          .holding("K_A"),
       Field{&Seated::delta_s, "delta_s", um, "sag of the face: its middle against the line between its ends"}.holding(
           "K_A"),
       Field{&Seated::f_sh, "f_sh", um,

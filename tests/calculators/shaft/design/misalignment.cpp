@@ -117,6 +117,14 @@ TEST_SUITE("shaft design") {
     check(pinion_of(in), 7.51795915, -3.323482791, 1.719380677);
   }
 
+  TEST_CASE("teeth twist with the body of their gear, not with the thinner shaft in its hub") {
+    Design::Input in = pinion_shaft(80.0);
+    in.seats[0].d_f = 52.5 * mm;
+    check(pinion_of(in), 7.51795915, 3.323482791 * std::pow(40.0 / 52.5, 4), 1.719380677);
+    in.seats[0].d_f = 36.0 * mm;  // no gear is softer than the shaft
+    check(pinion_of(in), 7.51795915, 3.323482791, 1.719380677);
+  }
+
   TEST_CASE("only the face width of a gear counts: not that of its hub, nor pulleys") {
     Design::Input in = pinion_shaft(80.0);
     in.seats[0].b = 60.0 * mm;

@@ -80,7 +80,7 @@ TEST_SUITE("gear rating") {
     in.standard = RatingStandard::iso6336;
     const auto iso = rate(in);
     CHECK(rel(iso.F_betax / um, 12.0) < 1e-13);
-    double last = 2.0;
+    double last = HUGE_VAL;
     for (const double f_sh : {20.0, 5.0, 1.0, 1e-3, 1e-9}) {
       in.f_sh_1 = f_sh * um;
       const double K = rate(in).K_Hbeta;

@@ -47,9 +47,11 @@ constexpr auto deflection_inputs() {
 template <class Input>
 constexpr auto position_rules() {
   return std::array{
-      Rule<Input>{
-          [](const Input& in) { return !is_away_from_middle(in) || (is_set(in.l) && is_set(in.d_sh) && is_set(in.s)); },
-          "place, l, d_sh, s", "a pinion away from the middle needs l, s and d_sh"},
+      Rule<Input>{[](const Input& in) {
+                    return !is_away_from_middle(in) || has_deflections(in) ||
+                           (is_set(in.l) && is_set(in.d_sh) && is_set(in.s));
+                  },
+                  "place, l, d_sh, s", "a pinion away from the middle needs l, s and d_sh"},
       Rule<Input>{[](const Input& in) { return is_away_from_middle(in) || has_deflections(in) || !is_set(in.s); },
                   "place, s", "midway between the bearings s is zero: for another position name a to e"}};
 }

@@ -63,16 +63,23 @@ double magnitude_of(const Operand& operand, const Project& project) {
   }));
 }
 
+/// Whether an input at this path may have a value at some point: elements of a list may come with another point.
+bool is_of_input(const Step& step, const std::string& path) {
+  const Calculator* const calculator = step.input().calculator;
+  return calculator == nullptr || calculator->input == nullptr ||
+         find_field_at(calculator->input->fields, path) != nullptr;
+}
+
 }  // namespace
 
 double own_value(const Step& step, const Project& project, const std::string& path) {
-  NotedReads::note(step.name() + "." + path);
   const auto& operands = step.input().reading.operands;
   const Leaf leaf = find_leaf(step.input().reading.record, path);
   const auto fills = [&](const Operand& o) {  // of a named element the path has the name, or the number
     return o.path == path || (leaf && o.leaf.field == leaf.field && o.leaf.owner == leaf.owner);
   };
   const auto operand = std::find_if(operands.begin(), operands.end(), fills);
+  if (leaf || operand != operands.end() || is_of_input(step, path)) NotedReads::note(step.name() + "." + path);
   if (operand != operands.end()) return magnitude_of(*operand, project);
   return leaf && leaf.field->is_number() ? leaf.get() : std::nan("");
 }

@@ -51,13 +51,12 @@ bool have_one_pressure(const Step& end, const Step& shell, const Project& projec
 void compare_radius(const Step& end, const Project& project, std::vector<ReducedLoad>& found) {
   const std::string edge = edge_of(end);
   if (edge.empty() || !end.input().reading.typed.contains(edge)) return;
-  const double own = own_value(end, project, edge);
   const Step* nearest = nullptr;
   double least = 0.0;
   for (const auto& shell : project.steps) {
     const double R = radius_of_shell(*shell, project);
     if (std::isnan(R) || !have_one_pressure(end, *shell, project)) continue;
-    const double apart = std::abs(R - own);
+    const double own = own_value(end, project, edge), apart = std::abs(R - own);
     if (std::isnan(apart) || apart <= of_wall * own) return;
     if (nearest == nullptr || apart < least) nearest = shell.get(), least = apart;
   }
@@ -65,7 +64,7 @@ void compare_radius(const Step& end, const Project& project, std::vector<Reduced
   found.push_back(
       {edge, say("{1} = {2}, and '{3}', with the same pressure, is for R = {4}: correct one of them, or because.{1} = "
                  "\"...\" if it closes another vessel",
-                 edge, format_quantity(own, "mm", 4), nearest->name(),
+                 edge, format_quantity(own_value(end, project, edge), "mm", 4), nearest->name(),
                  format_quantity(radius_of_shell(*nearest, project), "mm", 4))});
 }
 

@@ -163,8 +163,9 @@ class StatedCheck {
       if (value.signature.dimension == duration && has_word(name, {"day", "daily"})) hours = value.si.front();
     }
     const double life = years * days * hours;
+    if (std::isnan(life)) return;
     const auto [key, here] = own_life();
-    if (std::isnan(life) || !(life > (1.0 + in_few_digits) * here)) return;
+    if (!(life > (1.0 + in_few_digits) * here)) return;
     add(key, say("the years and hours of [values] act on no step: {1} on 250 days a year, and {2} is {3}: refer to "
                  "them, delete them, or justify it: because.{2} = \"...\"",
                  format_quantity(life, "h", 5), key, life_here(key, here)));

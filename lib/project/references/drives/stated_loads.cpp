@@ -83,7 +83,7 @@ bool is_under_own_name(const Step& step, const Project& project, const std::stri
 
 std::vector<ReducedLoad> loads_stated_otherwise(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  if (!is_drive(step)) return found;
+  if (project.values.unused().empty() || !is_drive(step)) return found;
   const std::string load = load_of(step, project);
   if (load.empty()) return found;
   for (const auto& [name, value] : project.values.unused()) {

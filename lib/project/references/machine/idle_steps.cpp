@@ -105,13 +105,12 @@ bool is_shorter(const Step& step, const Project& project, const std::string& key
 
 /// The ends of a column that are typed, in a file with a step that finds the effective length of such a column.
 void compare_effective_length(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
-  const double l = own_value(step, project, "l");
   for (const auto& other : project.steps) {
     if (other.get() == &step || !is_read(*other) || !has_input(*other, "end_1") || !has_result(*other, "beta"))
       continue;
     const std::string beta = other->name() + ".beta";
     if (is_referred_to(project, beta) || is_referred_to(project, other->name() + ".s") ||
-        !is_within(own_value(*other, project, "l"), l, 1e-3))
+        !is_within(own_value(*other, project, "l"), own_value(step, project, "l"), 1e-3))
       continue;
     const double found_there = magnitude_at(project, beta);
     for (const char* const key : {"beta_y", "beta_z", "ends", "ends_y", "ends_z"}) {

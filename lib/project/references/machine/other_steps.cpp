@@ -176,6 +176,7 @@ class RunCheck {
   /// A flywheel that a motor without load drives faster than the speed that it is calculated for.
   void compare_wheels_of_motor() {
     constexpr double most_above = 1.15;  // slip, and the fluctuation within a cycle
+    if (step_.input().reading.operand("J_F") == nullptr) return;
     const double n = std::abs(own_value(step_, project_, "n_0") / own_value(step_, project_, "i"));
     if (!(n > 0.0)) return;
     for (const Operand& operand : step_.input().reading.operands) {

@@ -194,6 +194,7 @@ void compare_yield(const Step& step, const Project& project, std::vector<Reduced
 /// A rim whose moment of inertia no wheel of its diameter has: a steel cylinder as wide as its diameter is lighter.
 void compare_rim(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   constexpr double steel = 7850.0;
+  if (step.field("m_rim") == nullptr) return;  // a diameter of other parts is not read
   const double D = own_value(step, project, "D"), m = magnitude_at(project, step.name() + ".m_rim");
   const double most = steel * std::numbers::pi / 4.0 * D * D * D;
   if (!(m > most)) return;

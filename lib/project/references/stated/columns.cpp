@@ -38,7 +38,7 @@ bool is_bending_moment(const std::string& name) {
 
 std::vector<ReducedLoad> columns_stated_otherwise(const Step& step, const Project& project) {
   const Calculator& calculator = *step.input().calculator;
-  if (!std::string_view(calculator.id).starts_with("column.")) return {};
+  if (!std::string_view(calculator.id).starts_with("column.") || project.values.unused().empty()) return {};
   if (find_field(calculator.input->fields, "P") == nullptr) return {};
   const double M = largest_of(step, project, {"M_y_1", "M_y_2", "M_z_1", "M_z_2", "M_y", "M_z"});
   const double l = own_value(step, project, "l");

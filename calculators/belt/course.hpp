@@ -112,7 +112,7 @@ pulleys = [
                   "powers need a speed and mu or S_0, and the first pulley drives", &wrong_power},
       Rule<Input>{&backs_known, "pulleys, mu", "a pulley on the back of the belt needs its own coefficient of friction",
                   &open_back},
-      Rule<Input>{&closes, "pulleys", "the belt does not run through these pulleys", &flaw_of}};
+      Rule<Input>{&closes, "pulleys, L", "the belt does not run through these pulleys", &flaw_of}};
 
   /// The lightest belts, with cords of aramid or carbon, carry 30 kN per kg/m.
   static double least_mass(const Input& in) {

@@ -312,7 +312,7 @@ E_b = "40 MPa"
                       "tensioning, arrangement", "a pivoted base tensions the belt of parallel shafts only"},
           Rule<Input>{[](const Input& in) { return !is_set(in.h_P) || abs(in.h_P) > 0.0 * m.one; }, "h_P",
                       "a pivot on the line of centres does not tension the belt: give a distance"},
-          Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching},
+          Rule<Input>{&clear_of_each_other, "a, L, d_1, d_2", "the pulleys must not overlap", &touching},
           Rule<Input>{&is_thin, "delta, d_1, d_2, n_2_set, i_set",
                       "the belt must be thinner than half of the smaller pulley"},
           Rule<Input>{[](const Input& in) { return is_set(in.sigma_f) == is_set(in.m_f); }, "sigma_f, m_f",

@@ -222,7 +222,7 @@ L = "2650 mm"
                       "C_K_end, basis", "the belt-number factor requires the basis iso"},
           Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
                       "give either the centre distance a or the belt length L"},
-          Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching}});
+          Rule<Input>{&clear_of_each_other, "a, L, d_1, d_2", "the pulleys must not overlap", &touching}});
 
   static constexpr bool turns = true;
   static constexpr std::array meanings{Meaning{"P", "mean"}};

@@ -182,7 +182,7 @@ gamma_F = 1
                       "M_z, M_z_1, M_z_2, q_y, F_y", "M_z replaces the end moments and the loads along y"},
           Rule<Input>{&by_a_code, "method, kind, E", "bending with compression is assessed by ec3 or aisc",
                       &not_of_code},
-          Rule<Input>{&fits_shape, "kind, d, h, b, t_f, t_w",
+          Rule<Input>{&fits_shape, "kind, d, h, b, t_f, t_w, A, I_y, I_z",
                       "the section must be a doubly symmetric I, a hollow section or (ec3) a solid bar, with its kind "
                       "and its dimensions h, b, t_f and t_w, or d and t_w"},
           Rule<Input>{&plastic_fits, "W_pl_y, W_pl_z, h, b, t_f, t_w",

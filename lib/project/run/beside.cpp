@@ -98,6 +98,11 @@ bool is_equal(Beside beside, double typed, double other, double rounding) {
   return typed == other || std::abs(typed - other) <= rounding * std::abs(typed);
 }
 
+bool keeps(const KeptBound& bound, double value) {
+  return std::isnan(value) || is_equal(bound.kind, bound.typed, value, bound.rounding) ||
+         (!std::isnan(bound.typed) && !is_bolder(bound.kind, bound.typed, value));
+}
+
 bool is_bolder(Beside beside, double typed, double other) {
   if (beside == Beside::usual || beside == Beside::either) return true;
   return beside == Beside::capacity ? typed > other : std::abs(typed) < std::abs(other);

@@ -5,6 +5,7 @@
 
 #include "lib/calculator/record.hpp"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -35,6 +36,14 @@ Beside beside_in_body(const FieldInfo& field);
 /// loads, speeds, safety and application factors.
 bool is_empirical(const FieldInfo& field);
 
+/// A bound of the calculator that a typed value keeps: at another point of a sweep the bound may have another value.
+struct KeptBound {
+  std::size_t bound, element;  // the index in the calculator, and the element of a list
+  Beside kind;
+  double typed, rounding;
+  double value;  // of the bound, where the step was solved
+};
+
 /// Half a unit of the last digit of a literal relative to its number, or of a bare literal after '='; for any other
 /// text the rounding error. At most 1 %, because "1e2 mm" does not equal 140 mm.
 double relative_rounding(std::string_view typed);
@@ -43,5 +52,7 @@ double relative_rounding(std::string_view typed);
 bool is_equal(Beside beside, double typed, double other, double rounding);
 /// Whether it is on the side that needs a reason: a higher capacity, or a lower load.
 bool is_bolder(Beside beside, double typed, double other);
+/// Whether the typed value keeps this value of its bound; NaN: there is none.
+bool keeps(const KeptBound& bound, double value);
 
 }  // namespace loadpath::project

@@ -23,6 +23,7 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   fill_account(evaluation, found, wanted, own_account());
   const WeighedValues& weighed = found.weighed;
   compared_ = weighed.compared;
+  kept_bounds_ = weighed.bounds;
   goes_point_by_point_ = weighed.holds_back || (weighed.compared_by_size &&
                                                 !(input().reading.varied.empty() && input().reading.operands.empty()));
   for (const auto& [group, row] : inputs.rows()) name_row(group, row.text);

@@ -2,6 +2,7 @@
 // every position of a cycle where an input is a series.
 #pragma once
 
+#include "lib/project/run/beside.hpp"
 #include "lib/project/run/evaluation/prepared_step.hpp"
 #include "lib/project/run/search/search.hpp"
 
@@ -41,10 +42,13 @@ class CalculatorStep : public PreparedStep {
   /// value up to which it needs no reason, NaN if that is not known; and whether all must be compared at every point.
   [[nodiscard]] const std::map<std::string, double>& compared() const { return compared_; }
   [[nodiscard]] bool goes_point_by_point() const { return goes_point_by_point_; }
+  /// Bounds of the calculator that typed values keep, and have to keep at every point.
+  [[nodiscard]] const std::vector<KeptBound>& kept_bounds() const { return kept_bounds_; }
 
  private:
   std::map<std::string, double> compared_;
   bool goes_point_by_point_ = false;
+  std::vector<KeptBound> kept_bounds_;
   std::optional<RowTogether> together_;
 };
 

@@ -4,11 +4,18 @@
 #include "lib/project/run/beside.hpp"
 #include "lib/project/run/evaluation/results.hpp"
 
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace loadpath::project {
+
+/// A bound of the calculator: its index there, and the element of a list that it bounds.
+struct BoundPlace {
+  std::size_t bound, element;
+};
 
 /// A neighbour of a typed value.
 struct Neighbour {
@@ -23,6 +30,7 @@ struct Neighbour {
   std::string row_of = {};     // the table of the row; empty: of a record, or a strength
   bool is_unassessed = false;  // a value that a step would calculate
   bool is_of_body = false;     // a value of another step of the same body
+  std::optional<BoundPlace> of_bound = {};
   /// Up to this a typed value needs no reason, whatever the size; NaN: not known.
   double safe = std::numeric_limits<double>::quiet_NaN();
 };

@@ -52,14 +52,16 @@ void add_bounds_beside(const Evaluation& evaluation, const Known& known, std::ve
     const BoundInfo& bound = calculator.bounds[i];
     std::size_t element = 0;
     for (const auto& [path, leaf] : leaves_of(bound, evaluation)) {
-      const double value = calculator.bound(i, evaluation.record().data.get(), element++);
-      if (std::isnan(value) || !holds(bound, path, evaluation.step().input().reading, known)) continue;
+      const BoundPlace place{i, element++};
+      const double value = calculator.bound(i, evaluation.record().data.get(), place.element);
+      if (!holds(bound, path, evaluation.step().input().reading, known)) continue;
       all.push_back({path,
                      leaf,
                      {{leaf.field->dimension, nullptr}, {value}},
                      say("{1}", say(bound.text)),
                      bound.is_least ? Beside::demand : Beside::capacity});
       all.back().by_size = true;  // at another point it has other neighbours
+      all.back().of_bound = place;
     }
   }
 }

@@ -7,6 +7,7 @@
 
 namespace loadpath::project {
 
+/// A bound without a value here is NaN: at another point of a sweep it may have one.
 void add_bounds_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all);
 
 }  // namespace loadpath::project

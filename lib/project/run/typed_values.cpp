@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace loadpath::project {
@@ -68,14 +69,26 @@ std::vector<Neighbour> all_beside(const Evaluation& evaluation, const Results& r
   return all;
 }
 
+/// The bound of the calculator that a typed value keeps; nothing of a bolder value, and of another neighbour.
+std::optional<KeptBound> kept_bound(const Evaluation& evaluation, const Neighbour& neighbour) {
+  if (!neighbour.of_bound) return std::nullopt;
+  const KeptBound bound{neighbour.of_bound->bound,          neighbour.of_bound->element,        neighbour.kind,
+                        typed_value(evaluation, neighbour), rounding_of(evaluation, neighbour), neighbour.value.si[0]};
+  return keeps(bound, bound.value) ? std::optional(bound) : std::nullopt;
+}
+
 /// Notes with what a typed value is compared. A value of another step of the body that has a reason decides nothing.
-void note_compared(const StepInput& step, const Neighbour& neighbour, WeighedValues& weighed) {
+void note_compared(const Evaluation& evaluation, const Neighbour& neighbour, WeighedValues& weighed) {
+  const StepInput& step = evaluation.step().input();
   if (neighbour.is_of_body && reason_for(step, neighbour.path) != nullptr) return;
   const auto is_it = [&](const auto& one) { return one.path == neighbour.path; };
   const Reading& reading = step.reading;
   const bool varies = std::ranges::any_of(reading.varied, is_it) || std::ranges::any_of(reading.operands, is_it);
   const bool is_checked_anyway = varies && !std::isnan(neighbour.safe);  // at each point, whether it is safe
-  weighed.compared_by_size = weighed.compared_by_size || (neighbour.by_size && !is_checked_anyway);
+  const std::optional<KeptBound> bound = varies ? std::nullopt : kept_bound(evaluation, neighbour);
+  if (bound) weighed.bounds.push_back(*bound);
+  if (neighbour.of_bound && std::isnan(neighbour.value.si[0])) return;
+  weighed.compared_by_size = weighed.compared_by_size || (neighbour.by_size && !bound && !is_checked_anyway);
   double& safe = weighed.compared.try_emplace(neighbour.path, neighbour.safe).first->second;
   if (!(safe <= neighbour.safe)) safe = std::isnan(safe) ? safe : neighbour.safe;
 }
@@ -87,7 +100,7 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
   std::vector<Neighbour> all = all_beside(evaluation, results, known);
   add_bounds_beside(evaluation, known, all);
   for (Neighbour& neighbour : all) {
-    note_compared(evaluation.step().input(), neighbour, weighed);
+    note_compared(evaluation, neighbour, weighed);
     if (is_of_one_part(neighbour.kind)) continue;
     const double typed = typed_value(evaluation, neighbour), other = largest_magnitude(neighbour.value);
     const bool is_the_same =

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lib/project/modes.hpp"
+#include "lib/project/run/beside.hpp"
 #include "lib/project/run/evaluation/results.hpp"
 
 #include <map>
@@ -18,6 +19,7 @@ struct WeighedValues {
   std::vector<Bolder> handed_on;           // without a reason, used only by other steps
   std::map<std::string, Message> reasons;  // by the input: how it is bolder, and why
   std::map<std::string, double> compared;  // typed inputs that have a neighbour: safe up to which value (Neighbour)
+  std::vector<KeptBound> bounds;           // bounds that typed values keep
   bool compared_by_size = false;           // whether the neighbour of one of them depends on a size
   bool holds_back = false;                 // whether modes are held back
 };

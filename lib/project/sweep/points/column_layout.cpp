@@ -36,6 +36,7 @@ struct ColumnLayout : ColumnPlan {
   [[nodiscard]] Size size_of(const std::string& field) const;
   bool add_read(const std::set<std::string>& wanted);
   [[nodiscard]] bool is_fed(std::string_view field) const;
+  bool add_bounds();
   void add_rules();
   void add_judging();
   bool add_search();
@@ -58,7 +59,7 @@ std::size_t offset_in(const Record& record, const Leaf& leaf) {
 
 bool ColumnLayout::lay_out(const std::set<std::string>& wanted, const PointColumns& points) {
   if (!is_plain() || !add_fed(points) || !add_companions(points) || !add_search() || !add_values_of_rows() ||
-      !add_read(wanted) || !add_left(points))
+      !add_read(wanted) || !add_left(points) || !add_bounds())
     return false;
   add_rules();
   add_rules_of_search();
@@ -241,6 +242,20 @@ bool ColumnLayout::add_read(const std::set<std::string>& wanted) {
     read.push_back({path, leaf.field, offset_in(result, leaf), false, true});
   }
   return true;
+}
+
+/// False if bounds cannot be found from the record at a point: they are of all positions, or of the size that is found.
+bool ColumnLayout::add_bounds() {
+  bounds = step.kept_bounds();
+  if (axis != nullptr || sought) {
+    const bool has_none = std::ranges::all_of(bounds, [](const KeptBound& kept) { return std::isnan(kept.value); });
+    bounds.clear();
+    return has_none;
+  }
+  return std::ranges::all_of(bounds, [&](const KeptBound& kept) {
+    const double value = calculator.bound(kept.bound, record.data.get(), kept.element);
+    return value == kept.value || (std::isnan(value) && std::isnan(kept.value));
+  });
 }
 
 void ColumnLayout::add_rules() {

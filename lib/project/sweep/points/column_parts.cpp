@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace loadpath::project {
 
@@ -34,6 +35,19 @@ void ColumnParts::leave_other_components(PointColumns& points) {
       points.read(component.path, point, component.value);
       if (acts(component.value) != component.acts) leave(points, point);
     }
+  }
+}
+
+/// Leaves points where a typed value is more favourable than a bound: it holds back modes there.
+void ColumnParts::leave_bolder(PointColumns& points) const {
+  if (bounds.empty()) return;
+  char* const base = static_cast<char*>(record.data.get());
+  for (std::size_t point = 0; point < points.count; ++point) {
+    if (is_other(points, point)) continue;
+    for (const InputColumn& column : in) std::memcpy(base + column.offset, column.si + point, sizeof(double));
+    const bool keeps_all = std::ranges::all_of(
+        bounds, [&](const KeptBound& kept) { return keeps(kept, calculator.bound(kept.bound, base, kept.element)); });
+    if (!keeps_all) leave(points, point);
   }
 }
 

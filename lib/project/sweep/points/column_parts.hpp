@@ -25,6 +25,7 @@ struct ColumnParts : ColumnPlan {
 
   void feed(PointColumns& points);
   void leave_other_components(PointColumns& points);
+  void leave_bolder(PointColumns& points) const;
   void provide(PointColumns& points);
   void start_sizes(PointColumns& points);
   void settle_sizes(PointColumns& points);

@@ -90,7 +90,8 @@ struct ColumnPlan {
   std::vector<char> rules;  // for each rule, whether varying inputs can violate it
   std::vector<char> no_rules;
   std::vector<Judging> judging;
-  bool is_loaded = false;  // for all varying inputs
+  std::vector<KeptBound> bounds;  // that typed values must keep at each point
+  bool is_loaded = false;         // for all varying inputs
   bool is_load_told = false;
 
   explicit ColumnPlan(CalculatorStep& s)

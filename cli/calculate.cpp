@@ -58,6 +58,15 @@ Tree value_of(const std::string& key, const std::string& text, const FieldInfo* 
   const auto length = static_cast<int>(prefix.size());
   const std::size_t before = issues.size();
   Tree tree = toml::read_toml(prefix + text, flag, issues);
+  if (issues.size() > before && field != nullptr && field->type == FieldInfo::Type::count && !structured) {
+    issues.resize(before);
+    issues.push_back({{flag, 1, 1, std::max(1, static_cast<int>(text.size()))},
+                      "",
+                      say("an integer is expected, not '{1}'", text),
+                      say("for example {1} 3", flag),
+                      Severity::error});
+    return value;
+  }
   for (std::size_t i = before; i < issues.size(); ++i) move_back(issues[i].place, length);
   if (tree.entries.empty()) return value;
   move_back(tree, length);

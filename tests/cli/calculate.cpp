@@ -75,6 +75,18 @@ TEST_SUITE("cli calculate") {
               .error.starts_with("--torques:1:10: error: not valid TOML"));
   }
 
+  TEST_CASE("a word or a quantity in the place of an integer is reported as that") {
+    const auto error_of = [](const std::string& z_2) {
+      return loadpath_with({"gear", "pair", "--z_1", "20", "--z_2", z_2}).error;
+    };
+    CHECK(error_of("x") == R"(--z_2:1:1: error: an integer is expected, not 'x'
+1 | x
+  | ^
+  = help: for example --z_2 3
+)");
+    CHECK(contains(error_of("3 mm"), "--z_2:1:1: error: an integer is expected, not '3 mm'\n"));
+  }
+
   TEST_CASE("an unknown flag is reported with the nearest one, and nothing is computed") {
     const Ran o = loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tua_adm", "30 MPa"});
     CHECK(o.code == 2);

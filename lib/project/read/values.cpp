@@ -179,10 +179,13 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
     if (tree.text == "?")
       return say_at(tree.place, path, say("'{1}' cannot be searched for", path), say("give an integer without quotes"));
     const bool number = tree.type == Tree::Type::number;
+    const bool is_quoted = !tree.text.empty() && tree.text.find_first_not_of("0123456789") == std::string::npos;
+    const Message hint = is_quoted ? say("write it without quotes, as in {1} = 3", field.key)
+                                   : say("write an integer, as in {1} = 3", field.key);
     return say_at(
         tree.place, path,
         say("an integer is expected, not {1}", number ? format_number(n) : std::string(toml::word_for(tree.type))),
-        number ? Message{} : say("write it without quotes, as in {1} = 3", field.key));
+        number ? Message{} : hint);
   }
   if (!field.bounds.holds(n)) {
     return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field)));

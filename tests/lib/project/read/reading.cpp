@@ -127,6 +127,7 @@ a.toml:4:11: error: 'inf' is not a finite number
           "[key]\ncalculator = \"shaft.key\"\nT = \"9 N*m\"\nd = \"40 mm\"\nkey = \"12x8\"\nl = \"40 mm\"\n" + keys);
     };
     CHECK(told("i = \"2\"\n").find("help: write it without quotes, as in i = 3\n") != std::string::npos);
+    CHECK(told("i = \"two\"\n").find("help: write an integer, as in i = 3\n") != std::string::npos);
     CHECK(told("i = \"?\"\n").find("'i' cannot be searched for") != std::string::npos);
     CHECK(told("torque = true\n").find("'true' is not a valid value of 'torque'") != std::string::npos);
   }

@@ -84,6 +84,16 @@ Tree* entry_of(Tree& table, const std::string& key) {
   return found == table.entries.end() ? nullptr : &found->value;
 }
 
+/// "shaft.pieces[2]": the path down to this part.
+std::string path_to(const Setting& setting, std::size_t last) {
+  std::string path;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const std::string& key = setting.path[i].key;
+    path += (path.empty() || key.front() == '[' ? "" : ".") + key;
+  }
+  return path;
+}
+
 /// The table that the last part of a path is a key of, made where it is not there; null with an issue.
 Tree* holder_of(Tree& project, const Setting& setting, std::vector<Issue>& issues) {
   Tree* at = &project;
@@ -102,7 +112,7 @@ Tree* holder_of(Tree& project, const Setting& setting, std::vector<Issue>& issue
     if (at == nullptr) return nullptr;
     if (at->type != Tree::Type::table && at->type != Tree::Type::array) {
       add(issues, part.place, say("'{1}' is {2}, and has no fields", part.key, toml::word_for(at->type)),
-          say("give it as an integer"));
+          say("set the value itself: --set {1}=VALUE", path_to(setting, i)));
       return nullptr;
     }
   }

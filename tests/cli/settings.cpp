@@ -99,13 +99,28 @@ TEST_SUITE("cli settings") {
                    "= help: write the step before the field: shaft.torques\n"));
     CHECK(contains(with("", {"shaft.d=1 mm"}, {}).error, "= help: the file has no steps"));
     CHECK(contains(with(line_shaft, {"shaft.torques[3].x=1 mm"}, {}).error, "unknown element '[3]'"));
-    CHECK(contains(with(line_shaft, {"shaft.tau_adm.x=1 mm"}, {}).error, "is a text, and has no fields"));
+    const std::string inside = with(line_shaft, {"shaft.tau_adm.x=1 mm"}, {}).error;
+    CHECK(contains(inside, "is a text, and has no fields"));
+    CHECK(contains(inside, "= help: set the value itself: --set shaft.tau_adm=VALUE\n"));
     CHECK(contains(with(plain_shaft(), {"shaft.d={ stock = "}, {}).error, "--set:1:"));
     for (const char* wrong : {"shaft=1", "shaft.T", "=3", "shaft..T=1", ".T=1"}) {
       CAPTURE(wrong);
       const Ran ran = with(plain_shaft(), {wrong}, {});
       CHECK(ran.code == 2);
       CHECK(contains(ran.error, "sets no field of a step"));
+    }
+  }
+
+  TEST_CASE("a wrong value of [values] is reported once, not where expressions calculate with it") {
+    const std::string file =
+        "[values]\nT = \"300 N*m\"\nn = \"1450 rpm\"\n"
+        "[a]\ncalculator = \"shaft.torsion\"\nT = \"=values.T\"\ntau_adm = \"30 MPa\"\n"
+        "[b]\ncalculator = \"shaft.torsion\"\nT = \"=2*values.T\"\ntau_adm = \"30 MPa\"\n";
+    for (const char* wrong : {"values.T=3", "values.T={ a = 3 }", "values.T=[1, 2]", "values.T=oops"}) {
+      CAPTURE(wrong);
+      const std::string error = with(file, {wrong}, {}).error;
+      CHECK(contains(error, "--set:1:"));
+      CHECK(error.find(": error: ") == error.rfind(": error: "));
     }
   }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace loadpath::project {
 
@@ -27,11 +28,17 @@ ValueNames values_in(const std::string& text) {
 
 bool is_computed(const Tree& tree) { return tree.type == Tree::Type::text && tree.text.starts_with('='); }
 
-/// Whether an issue points into the text of a value.
+bool is_same(const Place& a, const Place& b) { return a.file == b.file && a.line == b.line && a.column == b.column; }
+
+/// Whether an issue points into the text of a value, or to a number, a list or a table in it.
 bool is_at(const Issue& issue, const Tree& value) {
   const Place& at = issue.place;
-  return value.type == Tree::Type::text && at.file == value.place.file && at.line == value.place.line &&
-         at.column >= value.place.column && at.column <= value.place.column + value.place.length;
+  if (value.type == Tree::Type::text)
+    return at.file == value.place.file && at.line == value.place.line && at.column >= value.place.column &&
+           at.column <= value.place.column + value.place.length;
+  return is_same(at, value.place) ||
+         std::ranges::any_of(value.items, [&](const Tree& item) { return is_at(issue, item); }) ||
+         std::ranges::any_of(value.entries, [&](const Tree::Entry& entry) { return is_at(issue, entry.value); });
 }
 
 bool is_error(const Issue& issue) { return issue.severity == Severity::error; }
@@ -76,7 +83,9 @@ class Causes {
   }
 
   void keep_first_at(const Tree::Entry& value) {
-    const auto is_here = [&](const Issue& issue) { return is_error(issue) && is_at(issue, value.value); };
+    const auto is_here = [&](const Issue& issue) {
+      return is_error(issue) && (is_at(issue, value.value) || is_same(issue.place, value.place));
+    };
     const auto first = std::find_if(issues_.begin(), issues_.end(), is_here);
     if (first == issues_.end()) return;
     wrong_.insert(value.key);
@@ -85,11 +94,18 @@ class Causes {
 
   /// Values that calculate with a wrong one are wrong too.
   void spread() {
-    for (bool grows = true; grows;) {
-      grows = false;
-      for (const Tree::Entry& value : values_) {
-        if (!is_computed(value.value) || wrong_.contains(value.key)) continue;
-        if (is_wrong(values_in(value.value.text.substr(1)))) grows = wrong_.insert(value.key).second;
+    std::map<std::string, std::vector<std::string>> users;
+    for (const Tree::Entry& value : values_) {
+      if (!is_computed(value.value)) continue;
+      for (const std::string& name : values_in(value.value.text.substr(1))) users[name].push_back(value.key);
+    }
+    std::vector<std::string> open(wrong_.begin(), wrong_.end());
+    while (!open.empty()) {
+      const auto those = users.extract(open.back());
+      open.pop_back();
+      if (those.empty()) continue;
+      for (const std::string& user : those.mapped()) {
+        if (wrong_.insert(user).second) open.push_back(user);
       }
     }
   }

@@ -95,11 +95,10 @@ class Settling {
       return refuse(taken, signature ? Fault{} : signature.fault());
     }
     if (!fits(taken.field, form)) {
-      return refuse(taken, Fault{0,
-                                 taken.source.size(),
+      return refuse(taken, Fault{0, taken.source.size(),
                                  say("'{1}' takes {2}, and '{3}' is {4}", taken.path, wanted_by(taken.field),
                                      taken.source, noun_of(form)),
-                                 {}});
+                                 form == Form::list ? there_is(elements_of(*source, rest)) : Message{}});
     }
     if (form == Form::record) return fill_from(taken, *source, rest);
     if (form == Form::list && !shares_fields(taken, *source->field(rest))) return;

@@ -15,21 +15,25 @@ const FieldInfo* name_in(const FieldInfo& list) {
 
 std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
+/// Adds the names of the elements of a list.
+void add_names(const FieldInfo& list, const StepInput& input, std::vector<std::string>& names) {
+  const FieldInfo* const name = name_in(list);
+  void* const data = input.reading.record.data.get();
+  for (std::size_t i = 0; name != nullptr && data != nullptr && i < list.size(data); ++i) {
+    const std::string_view one = name->text(list.element(data, i));
+    if (!one.empty()) names.emplace_back(one);
+  }
+}
+
 /// The names in a list of the input; of a result list that has no input list of its key those of all others.
 std::vector<std::string> names_for(const FieldInfo& results, const StepInput& input) {
   std::vector<std::string> names;
   const auto& fields = input.calculator->input->fields;
   const bool has_own = find_field(fields, results.key) != nullptr;
   for (const FieldInfo& list : fields) {
-    const FieldInfo* const name = name_in(list);
     const bool is_its = has_own ? std::string_view(list.key) == results.key
                                 : find_field(input.calculator->result->fields, list.key) == nullptr;
-    if (name == nullptr || !is_its) continue;
-    void* const data = input.reading.record.data.get();
-    for (std::size_t i = 0; i < list.size(data); ++i) {
-      const std::string_view one = name->text(list.element(data, i));
-      if (!one.empty()) names.emplace_back(one);
-    }
+    if (is_its) add_names(list, input, names);
   }
   return names;
 }
@@ -87,6 +91,20 @@ Fault unknown_path(const StepInput& input, const std::string& path) {
   }
   return {0, path.size(), say("'{1}' has no result '{2}'", input.name, path),
           did_you_mean(path, known, std::move(otherwise), input.name + ".")};
+}
+
+std::vector<std::string> elements_of(const Step& step, const std::string& list) {
+  const StepInput& input = step.input();
+  std::vector<std::string> names, paths;
+  const auto* const result = input.calculator->result;
+  const FieldInfo* const results = result == nullptr ? nullptr : find_field(result->fields, list);
+  const FieldInfo* const own = find_field(input.calculator->input->fields, list);
+  if (results != nullptr && name_in(*results) != nullptr)
+    names = names_for(*results, input);
+  else if (own != nullptr)
+    add_names(*own, input, names);
+  for (const std::string& name : names) paths.push_back(step.name() + "." + list + "." + name);
+  return paths.empty() ? std::vector{step.name() + "." + list + "[1]"} : paths;
 }
 
 std::string record_with(const Step& step, const std::string& source, const std::string& key) {

@@ -50,8 +50,9 @@ std::vector<std::string> listed_keys(std::string_view list) {
 }
 
 const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view key) {
+  if (key.empty()) return nullptr;
   for (const FieldInfo& field : fields) {
-    if (field.key == key) return &field;
+    if (*field.key == key.front() && field.key == key) return &field;  // the length of most keys is never counted
   }
   return nullptr;
 }

@@ -44,8 +44,19 @@ Outcome<Signature> Project::signature(const std::string& path) {
 }
 
 const Step* Project::find(std::string_view name) const {
+  if (takers.size() == steps.size()) {
+    const auto position = takers.find(name);
+    return position ? steps[*position].get() : nullptr;
+  }
   const auto found = std::find_if(steps.begin(), steps.end(), [&](const auto& s) { return s->name() == name; });
   return found == steps.end() ? nullptr : found->get();
+}
+
+bool Project::is_referred_to(const std::string& path) const { return std::ranges::binary_search(references, path); }
+
+bool Project::is_referred_into(const std::string& beginning) const {
+  const auto first = std::ranges::lower_bound(references, beginning);
+  return first != references.end() && first->starts_with(beginning);
 }
 
 Fault Project::unknown_step(const std::string& path) const {

@@ -6,6 +6,7 @@
 #include "lib/project/read/expectations.hpp"
 #include "lib/project/read/shared.hpp"
 #include "lib/project/read/sweep_settings.hpp"
+#include "lib/project/takers/takers.hpp"
 
 #include <map>
 #include <memory>
@@ -35,7 +36,7 @@ struct Project {
   std::set<std::string> unread;                 // names of steps that have an error instead of a calculator
   std::vector<std::size_t> order;               // order of evaluation
   std::vector<Pass> passes;                     // order of solving: like `order`, but some steps are solved twice
-  std::vector<std::string> references;          // references between the steps: full paths
+  std::vector<std::string> references;          // references between the steps: full paths, each once, sorted
   std::shared_ptr<const table::Tables> tables;  // the project's own before the built-in ones
   Catalogue catalogue;                          // calculators that its steps may use
   std::vector<NamedFile> files;                 // further files that were read
@@ -44,6 +45,7 @@ struct Project {
   std::vector<Expectation> expectations;
   SweepSettings sweep;
   bool strict = false;  // modes not considered count as not assessed
+  Takers takers;        // of all steps, once they are read
 
   [[nodiscard]] const Step* find(std::string_view name) const;
   /// The fault that no step has a path's name, with the possible names.
@@ -52,6 +54,10 @@ struct Project {
   [[nodiscard]] Outcome<Signature> signature(const std::string& path);
   /// The value at "step.path" after solving, or nothing.
   [[nodiscard]] const Value* value(const std::string& path) const;
+  /// Whether a step refers to this path: "limit.sigma_D".
+  [[nodiscard]] bool is_referred_to(const std::string& path) const;
+  /// The same, to one that begins with it: "press.".
+  [[nodiscard]] bool is_referred_into(const std::string& beginning) const;
 };
 
 /// "lever.drive.M" -> "lever", "drive.M".

@@ -42,9 +42,7 @@ class Ordering {
   enum class State { fresh, open, done, in_cycle };
 
   std::size_t index_of(std::string_view name) const {
-    const auto found =
-        std::find_if(project_.steps.begin(), project_.steps.end(), [&](const auto& s) { return s->name() == name; });
-    return static_cast<std::size_t>(found - project_.steps.begin());
+    return project_.takers.find(name).value_or(project_.steps.size());
   }
 
   [[nodiscard]] bool reaches(std::size_t from, std::size_t to, std::set<std::size_t>& seen) const {

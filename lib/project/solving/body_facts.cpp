@@ -162,30 +162,43 @@ const FieldInfo* input_of(const Step& step, const char* name) {
 }
 std::string shared_pressure(const Step& step) {
   const FieldInfo* const pressure = input_of(step, "pressure");
-  if (pressure == nullptr || input_of(step, "radius") == nullptr) return {};
+  if (pressure == nullptr) return {};
   const auto typed = step.input().reading.typed.find(pressure->key);
   return typed == step.input().reading.typed.end() ? "" : typed->second.shared;
 }
 
-bool has_equal_radius(Step& a, Step& b) {
-  const double r = statement_of(a, "radius").measure, s = statement_of(b, "radius").measure;
-  return std::abs(r - s) <= rounding * std::max(r, s);
+/// A wall of a vessel: a step with a radius.
+struct Wall {
+  Step* step;
+  double radius;
+  std::string pressure;  // the one of [values] that it is typed as; empty if none is
+  bool has_ends;
+  bool is_free;  // not of a body that is named
+};
+
+std::vector<Wall> walls_of(const Project& project) {
+  std::vector<Wall> walls;
+  for (const auto& step : project.steps) {
+    if (input_of(*step, "radius") == nullptr) continue;
+    walls.push_back({step.get(), statement_of(*step, "radius").measure, shared_pressure(*step),
+                     find_field(step->input().calculator->input->fields, "ends") != nullptr,
+                     step->input().body.text.empty()});
+  }
+  return walls;
+}
+
+bool has_equal_radius(const Wall& a, const Wall& b) {
+  return std::abs(a.radius - b.radius) <= rounding * std::max(a.radius, b.radius);
 }
 
 /// Walls of one vessel, which nothing calls one body: the same [values] give their pressure, and their radii are equal.
-bool are_joined(Step& a, Step& b) {
-  const std::string pressure = shared_pressure(a);
-  return !pressure.empty() && pressure == shared_pressure(b) && has_equal_radius(a, b);
+bool are_joined(const Wall& a, const Wall& b) {
+  return has_equal_radius(a, b) && !a.pressure.empty() && a.pressure == b.pressure;
 }
 
 /// A head of the radius of a shell, neither of them calculated for a body of its own: a shell without ends.
-bool is_head_on(Step& head, Step& shell) {
-  const auto has_ends = [](Step& step) {
-    return find_field(step.input().calculator->input->fields, "ends") != nullptr;
-  };
-  const bool is_free = head.input().body.text.empty() && shell.input().body.text.empty();
-  return is_free && input_of(head, "radius") != nullptr && input_of(shell, "radius") != nullptr && !has_ends(head) &&
-         has_ends(shell) && has_equal_radius(head, shell);
+bool is_head_on(const Wall& head, const Wall& shell) {
+  return head.is_free && shell.is_free && !head.has_ends && shell.has_ends && has_equal_radius(head, shell);
 }
 
 /// A head has the pressure of its shell; below a liquid it has more, which is not an error of the shell.
@@ -198,11 +211,12 @@ void add_facts_of_head(Step& head, Step& shell, std::map<Step*, BodyFacts>& fact
 
 /// Joined walls have the same medium inside, and a head the pressure of its shell.
 void add_facts_of_vessels(const Project& project, std::map<Step*, BodyFacts>& facts) {
-  for (const auto& a : project.steps) {
-    for (const auto& b : project.steps) {
-      if (a == b) continue;
-      if (are_joined(*a, *b)) add_facts(statements_of({a.get(), b.get()}, "allowance"), facts);
-      if (is_head_on(*a, *b)) add_facts_of_head(*a, *b, facts);
+  const std::vector<Wall> walls = walls_of(project);
+  for (const Wall& a : walls) {
+    for (const Wall& b : walls) {
+      if (a.step == b.step) continue;
+      if (are_joined(a, b)) add_facts(statements_of({a.step, b.step}, "allowance"), facts);
+      if (is_head_on(a, b)) add_facts_of_head(*a.step, *b.step, facts);
     }
   }
 }

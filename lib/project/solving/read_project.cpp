@@ -29,10 +29,16 @@ std::set<std::string> references_of(const Step& step) {
 }
 
 std::vector<std::string> references_of(const Project& project) {
-  std::vector<std::string> references;
+  std::set<std::string> references;
   for (const auto& step : project.steps)
-    for_each_reference(step->input().reading, [&](const std::string& path) { references.push_back(path); });
-  return references;
+    for_each_reference(step->input().reading, [&](const std::string& path) { references.insert(path); });
+  return {references.begin(), references.end()};
+}
+
+Takers takers_of(const Project& project) {
+  Takers takers;
+  for (const auto& step : project.steps) takers.add(step->name(), step->input().reading);
+  return takers;
 }
 
 /// The values of tables that expressions name. Unknown names are reported when the expression is checked.
@@ -265,6 +271,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
                       Severity::error});
   }
   write_values_out(project, issues);
+  project.takers = takers_of(project);
   for (const auto& step : project.steps) refuse_own_rows(*step, issues);
   if (ranges == Ranges::refused) refuse_ranges(project, issues);
   find_idlers(project, issues);
@@ -282,6 +289,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   }
   ask_for_idlers(project, issues);
   ranges == Ranges::refused ? refuse_ranges_of_values(project, issues) : forget_middles(project);
+  project.takers = takers_of(project);  // idlers and settled references changed them
   project.references = references_of(project);
   project.table_values = table_values_of(project);
   find_varying_loads(project, declared);

@@ -18,10 +18,6 @@ bool is_within(double one, double other, double share) { return std::abs(one - o
 
 bool is_fatigue_limit(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
 
-bool is_referred_to(const Project& project, const std::string& path) {
-  return std::ranges::find(project.references, path) != project.references.end();
-}
-
 bool is_read(const Step& step) {
   return step.input().calculator != nullptr && step.input().reading.record.data != nullptr;
 }
@@ -58,7 +54,7 @@ std::string idle_limit_of_tests(const Step& step, const Project& project) {
   for (const char* const key : limits_of_tests) {
     const std::string path = step.name() + "." + key;
     if (!has_result(step, key)) continue;
-    if (is_referred_to(project, path)) return {};
+    if (project.is_referred_to(path)) return {};
     if (first.empty()) first = path;
   }
   return first;
@@ -84,7 +80,7 @@ void compare_limit(const Step& step, const Project& project, std::vector<Reduced
       if (other.get() == &step || !is_read(*other) || is_taken(step, key, *other)) continue;
       std::string path = other->name() + ".sigma_D";
       const bool is_found =
-          finds_limit(*other, key) && !is_referred_to(project, path) && is_of_same_material(step, *other, project);
+          finds_limit(*other, key) && !project.is_referred_to(path) && is_of_same_material(step, *other, project);
       if (!is_found) path = std::string_view(key) == "sigma_D" ? idle_limit_of_tests(*other, project) : "";
       if (path.empty() || !(own_value(step, project, key) > magnitude_at(project, path))) continue;
       found.push_back({key, say("{1} is typed, and no step uses '{2}': write {1} = \"={2}\", or because.{1} = \"...\"",
@@ -103,18 +99,22 @@ bool is_shorter(const Step& step, const Project& project, const std::string& key
   return (word == "fixed_pinned" || word == "pinned_fixed") && clamped_and_pinned < beta * (1.0 - 1e-3);
 }
 
+constexpr std::array keys_of_ends{"beta_y", "beta_z", "ends", "ends_y", "ends_z"};
+
 /// The ends of a column that are typed, in a file with a step that finds the effective length of such a column.
 void compare_effective_length(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto is_typed = [&](const char* key) { return step.input().reading.typed.contains(key); };
+  if (std::ranges::none_of(keys_of_ends, is_typed)) return;
   for (const auto& other : project.steps) {
     if (other.get() == &step || !is_read(*other) || !has_input(*other, "end_1") || !has_result(*other, "beta"))
       continue;
     const std::string beta = other->name() + ".beta";
-    if (is_referred_to(project, beta) || is_referred_to(project, other->name() + ".s") ||
+    if (project.is_referred_to(beta) || project.is_referred_to(other->name() + ".s") ||
         !is_within(own_value(*other, project, "l"), own_value(step, project, "l"), 1e-3))
       continue;
     const double found_there = magnitude_at(project, beta);
-    for (const char* const key : {"beta_y", "beta_z", "ends", "ends_y", "ends_z"}) {
-      if (!step.input().reading.typed.contains(key) || !is_shorter(step, project, key, found_there)) continue;
+    for (const char* const key : keys_of_ends) {
+      if (!is_typed(key) || !is_shorter(step, project, key, found_there)) continue;
       found.push_back(
           {key, say("{1} is typed, and no step uses '{2}' of a bar of the same length: write beta_y or beta_z "
                     "= \"={2}\", or because.{1} = \"...\"",

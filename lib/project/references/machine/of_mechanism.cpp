@@ -70,19 +70,23 @@ bool has_joint_forces(const Step& step) {
 std::vector<const Step*> idle_mechanisms(const Project& project) {
   std::vector<const Step*> idle;
   for (const auto& step : project.steps) {
-    const auto is_of_it = [&](const std::string& path) { return path.starts_with(step->name() + "."); };
-    if (has_joint_forces(*step) && std::ranges::none_of(project.references, is_of_it)) idle.push_back(step.get());
+    if (has_joint_forces(*step) && !project.is_referred_into(step->name() + ".")) idle.push_back(step.get());
   }
   return idle;
 }
 
 /// Another load case of the same joints, with larger forces, that no step takes.
 void compare_load_cases(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto is_of_mechanism = [&](const Taken& record) {
+    const Step* const taken = project.find(split_step(record.source).first);
+    return taken != nullptr && has_joint_forces(*taken);
+  };
+  if (std::ranges::none_of(step.input().reading.records, is_of_mechanism)) return;
   const auto idle = idle_mechanisms(project);
   if (idle.empty()) return;
   for (const Taken& record : step.input().reading.records) {
+    if (!is_of_mechanism(record)) continue;
     const Step* const taken = project.find(split_step(record.source).first);
-    if (taken == nullptr || !has_joint_forces(*taken)) continue;
     const auto forces = joint_forces(*taken);
     for (const Step* const other : idle) {
       const auto there = joint_forces(*other);

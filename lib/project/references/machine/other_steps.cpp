@@ -58,11 +58,36 @@ std::set<std::string> shared_loads(const Step& step) {
   return shared;
 }
 
-/// The first that is a load of both; empty if none is.
-std::string load_shared_by(const Step& one, const Step& other) {
-  const std::set<std::string> own = shared_loads(one), there = shared_loads(other);
+/// The first of these values that is a load of the other step, too; empty if none is.
+std::string load_shared_with(const std::set<std::string>& own, const Step& other) {
+  if (own.empty()) return {};
+  const std::set<std::string> there = shared_loads(other);
   const auto both = std::find_if(own.begin(), own.end(), [&](const std::string& path) { return there.contains(path); });
   return both == own.end() ? "" : *both;
+}
+
+/// The steps that take a value of this one, or one of these, in the order of the file.
+std::vector<const Step*> takers_of(const Step& step, const std::set<std::string>& values, const Project& project) {
+  std::set<std::size_t> positions(project.takers.of(step.name()).begin(), project.takers.of(step.name()).end());
+  for (const std::string& value : values) {
+    const auto& others = project.takers.of(value);
+    positions.insert(others.begin(), others.end());
+  }
+  std::vector<const Step*> takers;
+  for (const std::size_t position : positions) {
+    const Step* const taker = project.steps[position].get();
+    if (taker != &step) takers.push_back(taker);
+  }
+  return takers;
+}
+
+/// Whether two steps have the same factor, as neither states one.
+bool have_same_default(const Step& one, const Step& other, const std::string& key) {
+  const auto may_state = [&](const Step& step) {
+    return step.input().reading.typed.contains(key) || step.input().reading.operand(key) != nullptr ||
+           !step.input().reading.records.empty();
+  };
+  return one.input().calculator == other.input().calculator && !may_state(one) && !may_state(other);
 }
 
 bool is_ratio_of_speeds(std::string_view what) { return what == ratio_of_speeds; }
@@ -332,16 +357,19 @@ std::string gear_taken_by(const Step& shaft, const Step& step) {
 std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& project) {
   constexpr double rounding = 1e-6;
   std::vector<ReducedLoad> lower;
+  const bool applies_one = applies_factor(step, "K_A") || applies_factor(step, "gamma_F");
+  const std::set<std::string> values = applies_one ? shared_loads(step) : std::set<std::string>();
+  const auto takers = applies_one ? takers_of(step, values, project) : std::vector<const Step*>();
   for (const char* const key : {"K_A", "gamma_F"}) {
     if (!applies_factor(step, key)) continue;
     const double own = applied_factor(step, project, key);
-    for (const auto& taker : project.steps) {
-      if (taker.get() == &step || !applies_factor(*taker, key)) continue;
+    for (const Step* const taker : takers) {
+      if (have_same_default(step, *taker, key) || !applies_factor(*taker, key)) continue;
       if (has_service_factor(step) != has_service_factor(*taker)) continue;
       const double factor = applied_factor(*taker, project, key);
-      const std::string taken = load_taken_by(*taker, step);
-      const std::string load = taken.empty() ? load_shared_by(step, *taker) : taken;
       if (!(factor > own * (1.0 + rounding))) continue;
+      const std::string taken = load_taken_by(*taker, step);
+      const std::string load = taken.empty() ? load_shared_with(values, *taker) : taken;
       if (const std::string gear = gear_taken_by(*taker, step); load.empty() && !gear.empty())
         lower.push_back({key, say("'{1}' applies {2} = {3} to '{4}'; here {2} is lower: give it here, and {2} = 1 "
                                   "there, or say why, because.{2} = \"...\"",

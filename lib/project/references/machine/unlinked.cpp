@@ -26,6 +26,7 @@ double typed_value(const Step& step, const Project& project, const char* path) {
 /// The other bearing of the pair: it says so itself, and none has the load that is typed here for it.
 void compare_load_of_mate(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   const double F_r = typed_value(step, project, "F_r"), of_mate = typed_value(step, project, "mate.F_r");
+  if (std::isnan(of_mate)) return;
   const Step* mate = nullptr;
   for (const auto& other : project.steps) {
     if (other.get() == &step || other->input().calculator != step.input().calculator) continue;

@@ -132,10 +132,7 @@ class OwnInputs {
   }
 
   /// Whether another step takes a load of these gears: their axial force depends on the helix angle.
-  [[nodiscard]] bool is_force_taken() const {
-    const std::string load = step_.name() + ".gear_";
-    return std::ranges::any_of(project_.references, [&](const auto& path) { return path.starts_with(load); });
-  }
+  [[nodiscard]] bool is_force_taken() const { return project_.is_referred_into(step_.name() + ".gear_"); }
 
   /// Another step has this value under this name: it is meant for that one.
   [[nodiscard]] bool is_taken_elsewhere(const std::string& name, double stated) const {

@@ -355,22 +355,15 @@ Meant Values::kind(const std::string& name) const {
   return tree->type == Tree::Type::text ? kind_of_literal(tree->text) : Meant::nothing;
 }
 
-std::vector<std::pair<std::string, Value>> Values::unused() const {
-  std::vector<std::pair<std::string, Value>> quantities;
+void Values::collect_unused() {
+  unused_.clear(), unused_words_.clear();
   for (const auto& [name, shared] : all_) {
+    if (shared.is_used) continue;
     const bool is_one = !shared.several && (shared.is_literal || shared.is_constant);
-    if (!shared.is_used && is_one && !shared.literal.si.empty()) quantities.emplace_back(name, shared.literal);
-  }
-  return quantities;
-}
-
-std::vector<std::pair<std::string, std::string>> Values::unused_words() const {
-  std::vector<std::pair<std::string, std::string>> words;
-  for (const auto& [name, shared] : all_) {
     const bool is_word = shared.tree.type == Tree::Type::text && !shared.is_literal && !shared.expression;
-    if (!shared.is_used && is_word) words.emplace_back(name, shared.tree.text);
+    if (is_one && !shared.literal.si.empty()) unused_.emplace_back(name, shared.literal);
+    if (is_word) unused_words_.emplace_back(name, shared.tree.text);
   }
-  return words;
 }
 
 void Values::warn_of_unused(std::vector<Issue>& issues) const {

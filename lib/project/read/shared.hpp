@@ -57,10 +57,12 @@ class Values {
   [[nodiscard]] std::vector<Several> several() const;
   /// Sets such a value to one of its values.
   void set(const std::string& name, double si);
-  /// Quantities that nothing refers to, by name.
-  [[nodiscard]] std::vector<std::pair<std::string, Value>> unused() const;
-  /// Texts without a number that nothing refers to, by name: "full" of a vacuum.
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> unused_words() const;
+  /// Collects the values that nothing refers to, once all references are read: every step is compared with them.
+  void collect_unused();
+  /// Quantities among them, by name.
+  [[nodiscard]] const std::vector<std::pair<std::string, Value>>& unused() const { return unused_; }
+  /// Texts without a number among them, by name: "full" of a vacuum.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& unused_words() const { return unused_words_; }
   /// A warning for every value that nothing refers to.
   void warn_of_unused(std::vector<Issue>& issues) const;
 
@@ -89,6 +91,8 @@ class Values {
   std::set<std::string> told_;  // bare names without a value
   std::size_t in_place_ = 0;    // number of replacements of names
   bool too_many_ = false;       // reported
+  std::vector<std::pair<std::string, Value>> unused_;
+  std::vector<std::pair<std::string, std::string>> unused_words_;
 };
 
 }  // namespace loadpath::project

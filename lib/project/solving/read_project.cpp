@@ -294,6 +294,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   project.table_values = table_values_of(project);
   find_varying_loads(project, declared);
   if (!has_errors(issues)) check_expectations(project, issues);
+  project.values.collect_unused();
   project.values.warn_of_unused(issues);
   keep_first_of_values(project, tree, issues);
   return project;

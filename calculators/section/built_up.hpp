@@ -53,7 +53,7 @@ parts = [
   static constexpr auto results =
       join(property_fields<Result>(), Fields{ListField{&Result::parts, "parts", "the parts at their places"}});
   static constexpr std::array rules{
-      Rule<Input>{&parts_are_whole, "parts", "a part lacks a dimension of its shape", &incomplete},
+      Rule<Input>{&parts_are_whole, "parts", "a dimension of the shape of a part is missing", &incomplete},
       Rule<Input>{&is_full, "parts",
                   "the holes leave no section: they remove more than the material, or lie outside of it"},
       Rule<Input>{&none_overlap, "parts", "parts must not overlap: the common area would be included twice",

@@ -66,6 +66,23 @@ TEST_SUITE("sweep bodies") {
     CHECK(solved_alone(shaft("\"150 N*m\"", reason, ""), results) == 0);
   }
 
+  TEST_CASE("a mechanism, and shafts without stated forces that take its results, are solved in columns") {
+    const std::string lever =
+        "[lever]\ncalculator = \"mechanism.planar\"\ncrank = { joint = \"O\", speed = \"45 rad/s\", positions = 36 }\n"
+        "[lever.ground]\nO = [\"90 mm\", \"0 mm\"]\nB = [\"0 mm\", \"0 mm\"]\n"
+        "[lever.links.crank]\nangle = \"-60 deg\"\npoints = { O = [\"0 mm\", \"0 mm\"], A = [\"30 mm\", \"0 mm\"] }\n"
+        "[lever.links.lever]\nangle = \"-14 deg\"\npoints = { B = [\"0 mm\", \"0 mm\"], C = [\"40 mm\", \"0 mm\"] }\n"
+        "[lever.joints]\nO = { type = \"revolute\", links = [\"ground\", \"crank\"] }\n"
+        "B = { type = \"revolute\", links = [\"ground\", \"lever\"] }\n"
+        "A = { type = \"slot\", links = [\"crank\", \"lever\"], points = [\"A\", \"B\"], direction = \"0 deg\" }\n"
+        "[[lever.loads]]\nname = \"F3\"\nlink = \"lever\"\nat = \"C\"\naxes = \"link\"\ndirection = \"-90 deg\"\n"
+        "F = { from = \"500 N\", to = \"900 N\", count = 9 }\n";
+    const std::string shafts =
+        "[crankshaft]\ncalculator = \"shaft.torsion\"\nT = \"=peak(lever.drive.M)\"\ntau_adm = \"30 MPa\"\n"
+        "[end]\ncalculator = \"shaft.overhung\"\nload = \"=lever.drive\"\na = \"50 mm\"\nsigma_adm = \"60 MPa\"\n";
+    CHECK(solved_alone(lever + shafts, {"crankshaft.d", "end.d"}) == 0);
+  }
+
   TEST_CASE("a varied allowable stress is compared with the material in a column, up to its strength") {
     const std::string text =
         "[s]\ncalculator = \"shaft.torsion\"\nT = \"700 N*m\"\nmaterial = \"C45E\"\ntheta_adm = \"0.25 deg/m\"\n"

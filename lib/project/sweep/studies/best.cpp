@@ -76,6 +76,23 @@ std::string unit_of(const Placed& asked, Project& project, std::vector<Issue>& i
   return column ? column->unit : std::string();
 }
 
+/// A search chooses each input separately: inputs that vary in parallel would be crossed. A Pareto set of one objective
+/// is the best design, too.
+void refuse_zips(const BestAsked& asked, const SweepSettings& settings, std::vector<Issue>& issues) {
+  const std::string& objective = asked.objective.text;
+  const bool is_result = meant(objective, asked.results) != objective;
+  const std::string result = is_result ? "" : "--results \"x = " + name_and_text(objective).second + "\" ";
+  const std::string set = result + "--pareto \"" + (is_result ? objective : "x") + (asked.maximise ? ":max" : ":min") +
+                          "\" --such-that \"every mode passes\"";
+  for (const std::vector<Placed>& zip : settings.zip) {
+    if (zip.size() < 2) continue;
+    issues.push_back({zip.front().place, "project.sweep",
+                      say("'{1}' and '{2}' vary in parallel (zip), and a search chooses each input separately",
+                          zip[0].text, zip[1].text),
+                      say("the best of all designs: {1}", set), Severity::error});
+  }
+}
+
 /// Objective and demands as columns, whose texts it returns; nothing, with issues, if they cannot be read.
 std::vector<std::string> form_columns(const Searching& searching, const BestAsked& asked, Best& best,
                                       std::vector<Issue>& issues) {
@@ -186,6 +203,8 @@ double shown_by(std::uint64_t samples) { return std::pow(risk, 1.0 / static_cast
 std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, const SweepSettings& settings,
                               std::vector<Issue>& issues) {
   Best best;
+  refuse_zips(asked, settings, issues);
+  if (has_errors(issues)) return std::nullopt;
   const std::vector<std::string> texts = form_columns(searching, asked, best, issues);
   if (has_errors(issues)) return std::nullopt;
   Variants variants(searching.read(), texts);

@@ -381,6 +381,11 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(contains(fault("strut.d", {asked("strut.utilisation <= 0")}), "above zero"));
     CHECK(contains(fault("strut.d", {asked("axle passes")}), "axle"));
     std::vector<Issue> issues;
+    auto parallel = drawn(10);
+    parallel.zip = {{asked("strut.d")}, {asked("strut.d"), asked("strut.d_bore")}};
+    CHECK_FALSE(project::find_best({reader(text)}, {asked("strut.d"), false, {}, {}, {}}, parallel, issues));
+    CHECK(contains(issues.front().message.text(), "'strut.d' and 'strut.d_bore' vary in parallel (zip)"));
+    issues.clear();
     CHECK_FALSE(project::seek_value({reader(text)}, asked("strut.lambda = 90"), issues));
     CHECK(contains(issues.front().message.text(), "exactly one input must have a range"));
   }

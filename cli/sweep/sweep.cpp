@@ -128,6 +128,11 @@ bool Sweeping::solve(SweepStore* store, project::SweepStatistics& found) {
   return whole && (interrupted_by_user || files.finish());
 }
 
+std::optional<std::uint64_t> worst_point(const project::SweepStatistics& found) {
+  const auto worst = found.worst();
+  return worst.empty() ? std::nullopt : std::optional(worst.front().index);
+}
+
 int Sweeping::tell(const project::SweepStatistics& found) const {
   report::DrawnPoints drawn;
   if (!options_.reports.empty()) drawn = report::points_to_draw(sweep_.points, found, sweep_.blocks, sweep_.reading());
@@ -137,12 +142,11 @@ int Sweeping::tell(const project::SweepStatistics& found) const {
     std::cout << exports::json_of(sweep_.project, sweep_.points, found, program());
   } else if (!options_.quiet) {
     const bool compares = sweep_.points.space.count() > sweep_.points.space.samples();
-    terminal::show_tables(options_.full || !compares ? document.blocks
-                                                     : report::sweep_answer(sweep_.project, sweep_.points, found));
+    const bool is_short = compares && !options_.full;
+    terminal::show_tables(is_short ? report::sweep_answer(sweep_.project, sweep_.points, found) : document.blocks);
     const std::string file = options_.file == "-" ? "FILE" : options_.file;
-    if (!found.worst().empty())
-      std::cout << "\none point as a design: loadpath run " << file << " --point " << found.worst().front().index
-                << "\n";
+    const auto point = is_short ? report::point_of_answer(found) : worst_point(found);
+    if (point) std::cout << "\none point as a design: loadpath run " << file << " --point " << *point << "\n";
   }
   const bool is_whole = found.points() == sweep_.points.space.count();
   if (is_whole && !sweep_.keep.demands.empty() && found.demands_met().all == 0) return not_passed;

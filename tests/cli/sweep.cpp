@@ -298,6 +298,54 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(desk.get("a.csv").starts_with("point,a.T [N*m],a.d [mm],area [mm^2],u,state,utilisation\n"));
   }
 
+  TEST_CASE("an answer ends with a point of the first design that it shows") {
+    const Desk desk;
+    const std::string head =
+        "[project.sweep]\nresults = [\"A = a.d^2\"]\nsamples = 50\n[a]\ncalculator = \"shaft.torsion\"\n"
+        "tau_adm = \"30 MPa\"\nd = [\"20 mm\", \"30 mm\", \"40 mm\"]\n";  // 33.3 mm are needed: 16 T/(pi d^3)
+    desk.put("a.toml", head + "T = \"200 N*m\"\n");
+    desk.put("b.toml", head + "T = { min = \"199 N*m\", max = \"201 N*m\" }\n");
+    const auto named = [&](const char* file, std::vector<std::string> more) {
+      more.insert(more.begin(), {"sweep", file});
+      const std::string out = desk.run(more).out, before = std::string("loadpath run ") + file + " --point ";
+      const std::size_t at = out.find(before);
+      REQUIRE_MESSAGE(at != std::string::npos, out);
+      return std::stoi(out.substr(at + before.size()));
+    };
+    const auto is_of = [](int design, int point) { return point / 50 == design; };
+    CHECK(named("a.toml", {"--pareto", "A:min", "--such-that", "a passes"}) == 2);
+    CHECK(named("a.toml", {"--pareto", "A:min"}) == 0);
+    CHECK(named("a.toml", {}) == 2);          // the design that passes
+    CHECK(named("a.toml", {"--full"}) == 0);  // the worst point
+    CHECK(is_of(2, named("b.toml", {"--pareto", "A:min", "--such-that", "a passes"})));
+    CHECK(is_of(2, named("b.toml", {})));
+    CHECK(is_of(0, named("b.toml", {"--pareto", "A:min"})));
+    CHECK(is_of(0, named("b.toml", {"--full"})));
+  }
+
+  TEST_CASE("a search refuses inputs that vary in parallel, and names the Pareto set that finds the best") {
+    const Desk desk;
+    desk.put("a.toml",
+             "[a]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nT = \"200 N*m\"\n"
+             "d = [\"50 mm\", \"40 mm\"]\nd_bore = [\"40 mm\", \"0 mm\"]\n");
+    const std::vector<std::string> sweep{"sweep", "a.toml", "--zip", "a.d,a.d_bore"};
+    const auto with = [&](std::vector<std::string> more) {
+      more.insert(more.begin(), sweep.begin(), sweep.end());
+      return desk.run(more);
+    };
+    const Ran least = with({"--minimise", "a.d^2 - a.d_bore^2"});
+    CHECK(least.code == 2);
+    CHECK_MESSAGE(contains(least.error, "vary in parallel (zip), and a search chooses each input separately"),
+                  least.error);
+    CHECK_MESSAGE(contains(least.error, "--results \"x = a.d^2 - a.d_bore^2\" --pareto \"x:min\" --such-that"),
+                  least.error);
+    const Ran best =
+        with({"--results", "x = a.d^2 - a.d_bore^2", "--pareto", "x:min", "--such-that", "every mode passes"});
+    CHECK_MESSAGE(contains(best.out, "that satisfy 'every mode passes': 1"), best.out);
+    CHECK_MESSAGE(contains(best.out, "--point 0"), best.out);  // 900 mm² against 1600 mm², 13.8 and 15.9 MPa
+    CHECK(contains(with({"--results", "x = a.d", "--maximise", "x"}).error, "designs: --pareto \"x:max\""));
+  }
+
   TEST_CASE("errors in the arguments are reported, and nothing is written") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);

@@ -263,4 +263,15 @@ std::vector<Block> sweep_answer(const Project& project, const SweepPlan& plan, c
   return blocks;
 }
 
+std::optional<std::uint64_t> point_of_answer(const SweepStatistics& found) {
+  if (found.worst().empty()) return std::nullopt;
+  const std::vector<DesignRow> rows = found.designs().rows();
+  const auto front = scatters(found) ? found.designs().pareto() : found.pareto();
+  if (front.empty() && rows.empty()) return found.worst().front().index;
+  const std::uint64_t design = front.empty() ? rows.front().design : front.front().index;
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const DesignRow& r) { return r.design == design; });
+  const bool is_known = scatters(found) && row != rows.end() && !std::isnan(row->tally.worst.value);
+  return is_known ? row->tally.worst.index : design * found.designs().asked().samples;
+}
+
 }  // namespace loadpath::report

@@ -4,6 +4,7 @@
 #include "lib/project/sweep/statistics.hpp"
 #include "lib/report/document.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,5 +30,9 @@ std::optional<Paragraph> unmet_demands(const project::SweepStatistics& found);
 /// What a sweep prints if no more is asked for.
 std::vector<Block> sweep_answer(const project::Project& project, const project::SweepPlan& plan,
                                 const project::SweepStatistics& found);
+
+/// The point of the first design of this answer, of its Pareto set if it has one: with samples the worst of them.
+/// Nothing if no point has a utilisation.
+std::optional<std::uint64_t> point_of_answer(const project::SweepStatistics& found);
 
 }  // namespace loadpath::report

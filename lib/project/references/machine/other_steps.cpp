@@ -68,11 +68,13 @@ std::string load_shared_with(const std::set<std::string>& own, const Step& other
 
 /// The steps that take a value of this one, or one of these, in the order of the file.
 std::vector<const Step*> takers_of(const Step& step, const std::set<std::string>& values, const Project& project) {
-  std::set<std::size_t> positions(project.takers.of(step.name()).begin(), project.takers.of(step.name()).end());
+  std::vector<std::size_t> positions = project.takers.of(step.name());
   for (const std::string& value : values) {
     const auto& others = project.takers.of(value);
-    positions.insert(others.begin(), others.end());
+    positions.insert(positions.end(), others.begin(), others.end());
   }
+  std::ranges::sort(positions);
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
   std::vector<const Step*> takers;
   for (const std::size_t position : positions) {
     const Step* const taker = project.steps[position].get();

@@ -41,6 +41,13 @@ bool is_at(const Issue& issue, const Tree& value) {
          std::ranges::any_of(value.entries, [&](const Tree::Entry& entry) { return is_at(issue, entry.value); });
 }
 
+/// Whether only `run` has no number of it: a list of quantities, a range.
+bool may_be_swept(const Tree& tree) {
+  if (tree.type == Tree::Type::table) return tree.find("from") != nullptr;
+  return tree.type == Tree::Type::array &&
+         std::ranges::all_of(tree.items, [](const Tree& item) { return item.type == Tree::Type::text; });
+}
+
 bool is_error(const Issue& issue) { return issue.severity == Severity::error; }
 
 class Causes {
@@ -83,8 +90,9 @@ class Causes {
   }
 
   void keep_first_at(const Tree::Entry& value) {
+    const bool is_range = may_be_swept(value.value);
     const auto is_here = [&](const Issue& issue) {
-      return is_error(issue) && (is_at(issue, value.value) || is_same(issue.place, value.place));
+      return is_error(issue) && (is_at(issue, value.value) || (!is_range && is_same(issue.place, value.place)));
     };
     const auto first = std::find_if(issues_.begin(), issues_.end(), is_here);
     if (first == issues_.end()) return;

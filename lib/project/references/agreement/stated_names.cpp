@@ -2,36 +2,47 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string>
-#include <vector>
+#include <cstddef>
 
 namespace loadpath::project {
 
 namespace {
 
-std::vector<std::string> words_of(std::string_view name) {
-  std::vector<std::string> words(1);
-  for (const char c : name) {
-    if (c == '_')
-      words.emplace_back();
-    else
-      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return words;
+bool is_same_word(std::string_view word, std::string_view small) {
+  return std::ranges::equal(
+      word, small, {}, [](char c) { return std::tolower(static_cast<unsigned char>(c)); },
+      [](char c) { return static_cast<int>(static_cast<unsigned char>(c)); });
 }
 
-bool is_among(const std::string& word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, std::string_view(word)) != words.end();
+bool is_among(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::ranges::any_of(words, [&](std::string_view other) { return is_same_word(word, other); });
+}
+
+/// How many words a name has between its underscores, and how many of them are among these, in either case.
+struct Words {
+  std::size_t all = 0, known = 0;
+};
+
+Words count_words(std::string_view name, std::initializer_list<std::string_view> words) {
+  Words count;
+  while (true) {
+    const std::size_t end = name.find('_');
+    ++count.all;
+    if (is_among(name.substr(0, end), words)) ++count.known;
+    if (end == std::string_view::npos) return count;
+    name.remove_prefix(end + 1);
+  }
 }
 
 }  // namespace
 
 bool has_word(std::string_view name, std::initializer_list<std::string_view> words) {
-  return std::ranges::any_of(words_of(name), [&](const std::string& word) { return is_among(word, words); });
+  return count_words(name, words).known > 0;
 }
 
 bool has_only_words(std::string_view name, std::initializer_list<std::string_view> words) {
-  return std::ranges::all_of(words_of(name), [&](const std::string& word) { return is_among(word, words); });
+  const Words count = count_words(name, words);
+  return count.known == count.all;
 }
 
 bool is_of_peak(std::string_view name) {

@@ -182,7 +182,8 @@ TEST_SUITE("found groove") {
           .fault();
     };
     CHECK(fault("x = \"80 mm\", t = \"1.25 mm\", w = \"1.85 mm\", r = \"0.1 mm\"").empty());
-    CHECK(fault("x = \"80 mm\", t = \"1.25 mm\", w = \"1.85 mm\", r = \"1 mm\"").find("root radius") != std::string::npos);
+    CHECK(fault("x = \"80 mm\", t = \"1.25 mm\", w = \"1.85 mm\", r = \"1 mm\"").find("root radius") !=
+          std::string::npos);
     CHECK(fault("x = \"80 mm\", t = \"1.25 mm\", w = \"60 mm\", r = \"0.1 mm\"").find("within its piece") !=
           std::string::npos);
     CHECK(fault("x = \"98 mm\", t = \"1.25 mm\", w = \"10 mm\", r = \"0.1 mm\"").find("something sits") !=

@@ -175,8 +175,7 @@ TEST_SUITE("toml") {
          {R"(a = "\u001b")", R"("\u001b" = 1)", R"(a = ["\u009b"])", R"(a."\u0000".b = 1)", R"(a = "\r")"})
       CHECK_MESSAGE(issues_of(escaped).find("error: a control character in a text") != std::string::npos, escaped);
     CHECK(issues_of("a = 1 # \x7f\n").starts_with("a.toml:1:9: error: control character U+007F\n"));
-    CHECK(
-        issues_of(std::string("a = 1\0b = 2\n", 12)).starts_with("a.toml:1:6: error: control character U+0000\n"));
+    CHECK(issues_of(std::string("a = 1\0b = 2\n", 12)).starts_with("a.toml:1:6: error: control character U+0000\n"));
     CHECK(issues_of("a = 1\t# tab\r\nb = 2\r\n").empty());
   }
 

@@ -116,6 +116,7 @@ TEST_SUITE("found ratings") {
     const std::string of_pinion = "f_sh_1 = \"=shaft.seats.pinion.f_sh\"\n";
     CHECK(place_with(of_pinion) == "pass");
     CHECK(place_with("f_sh_1 = \"=shaft.seats[1].f_sh\"\n") == "pass");
+    CHECK(place_with("f_sh_1 = \"=shaft.seats.pinion.delta_s\"\n") == "not-judged");  // a part of it
     CHECK(first_error_of(gears + rated(of_pinion + midway) + shaft_with("120 mm")).find("f_sh_1") != std::string::npos);
     const auto on = [&](const std::string& gear, const std::string& lines, const std::string& more = "") {
       std::string shaft = shaft_with("120 mm");

@@ -171,6 +171,12 @@ class RatingCheck {
                                    key, reference.path, load, number)});
         return;
       }
+      if (!rest.ends_with(".f_sh")) {
+        found_.push_back({key, say("{1} is taken from '{2}', a part of the misalignment: take '{3}.{4}f_sh', or "
+                                   "because.{1} = \"...\"",
+                                   key, reference.path, name, prefix_of(rest))});
+        return;
+      }
       compare_factor(key, *shaft);
     }
   }

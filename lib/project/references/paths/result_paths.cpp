@@ -103,7 +103,10 @@ std::vector<std::string> elements_of(const Step& step, const std::string& list) 
     names = names_for(*results, input);
   else if (own != nullptr)
     add_names(*own, input, names);
-  for (const std::string& name : names) paths.push_back(step.name() + "." + list + "." + name);
+  for (const std::string& name : names) {
+    std::string& path = paths.emplace_back(step.name());
+    path.append(".").append(list).append(".").append(name);
+  }
   return paths.empty() ? std::vector{step.name() + "." + list + "[1]"} : paths;
 }
 

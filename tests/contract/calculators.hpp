@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,13 +33,15 @@ inline project::Project example_of(const Calculator& c, std::vector<Issue>& issu
 /// The input and result of a calculator's example.
 struct SolvedExample {
   Record input, result;
+  std::vector<std::shared_ptr<const Axis>> axes;  // of the series in the input
 };
 
 inline SolvedExample solved_example(const Calculator& c) {
   std::vector<Issue> issues;
   project::Project p = example_of(c, issues);
   REQUIRE(issues.empty());
-  SolvedExample s{p.steps[0]->input().reading.record.clone(), Record(*c.result)};
+  const project::Reading& reading = p.steps[0]->input().reading;
+  SolvedExample s{reading.record.clone(), Record(*c.result), reading.axes};
   project::solve(p, issues);
   for (const account::Entry& e : p.steps[0]->account().inputs) {  // inputs filled by rows of tables
     const Leaf leaf = find_leaf(s.input, e.path);

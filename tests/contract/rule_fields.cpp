@@ -38,9 +38,9 @@ std::string unnamed(const Calculator& c, const Record& example, const FieldInfo&
 TEST_SUITE("contract: fields of rules") {
   TEST_CASE("no rule changes with a number that it does not name") {
     for (const Calculator* c : test::plain_calculators()) {
-      const Record input = test::solved_example(*c).input;
+      const test::SolvedExample solved = test::solved_example(*c);
       for (const FieldInfo& field : c->input->fields) {
-        if (field.is_number() && field.get != nullptr) CHECK(unnamed(*c, input, field) == "");
+        if (field.is_number() && field.get != nullptr) CHECK(unnamed(*c, solved.input, field) == "");
       }
     }
   }

@@ -11,9 +11,9 @@ namespace {
 /// A root found with a change of the count next to it; otherwise there is no convergence.
 template <class Count>
 double settled(std::size_t i, const Count& count, double near, double finest) {
-  const double beside = std::max(1e-6, 10.0 * finest);
+  const double apart = std::max(1e-6, 10.0 * finest);
   const double found = numerics::counted_root(i, count, near, finest);
-  const bool is_there = count((1.0 - beside) * found).below <= i && count((1.0 + beside) * found).below > i;
+  const bool is_there = count((1.0 - apart) * found).below <= i && count((1.0 + apart) * found).below > i;
   return is_there ? found : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -169,7 +169,7 @@ Extreme refined(const Value& series, std::size_t i, double way) {
   return {std::sqrt(std::max(square, 0.0)), on_axis(axis, axis.at[i] + top->at * window.step), i};
 }
 
-/// Whether `way` times the series is nowhere higher beside its first or last position i.
+/// Whether `way` times the series is nowhere higher next to its first or last position i.
 bool is_summit_at_end(const Value& series, std::size_t i, double way) {
   const std::size_t n = series.si.size();
   const bool cyclic = series.signature.axis->cyclic();

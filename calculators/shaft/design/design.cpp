@@ -158,8 +158,8 @@ void misalign_teeth(Result& r, Tracer& trace) {
     [[maybe_unused]] const auto here = trace.scope("seats", i);
     const Length delta_b =
         trace.value("delta_b", s.delta_b, "elastic line, right less left end of the face, along the tooth force");
-    const Length delta_t =
-        trace.value("delta_t", s.delta_t, "angle of twist across the face, of the gear body to d_f, x base radius");
+    const Length delta_t = trace.value(
+        "delta_t", s.delta_t, "angle of twist across the face, of the gear body to d_f, times the base radius");
     const Length delta_s = trace.value("delta_s", s.delta_s, "middle of the face against its ends");
     STEP_TO(s, f_sh, abs(delta_b + delta_t) + delta_s,
             "separation of the flanks along the line of action, [AGMA927]; the sag added as in [ISO6336-1] 2006");

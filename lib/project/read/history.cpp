@@ -30,7 +30,7 @@ constexpr std::array<std::pair<std::string_view, rainflow::Format>, 4> forms{{{"
                                                                               {"f64", rainflow::Format::f64},
                                                                               {"f32", rainflow::Format::f32}}};
 
-Fault told(Message message, Message hint) { return {0, 1, std::move(message), std::move(hint)}; }
+Fault wrong_history(Message message, Message hint) { return {0, 1, std::move(message), std::move(hint)}; }
 
 /// What a heading names: "F [kN]"; none where it names no unit of the field.
 std::optional<UnitValue> unit_in(std::string_view heading, const FieldInfo& field) {
@@ -44,14 +44,15 @@ std::optional<UnitValue> unit_in(std::string_view heading, const FieldInfo& fiel
 Outcome<double> unit_of(const Tree& table, const FieldInfo& field, std::string_view heading = {}) {
   const auto* const unit = table.find("unit");
   if (unit == nullptr) {
-    if (const auto told_there = unit_in(heading, field)) return told_there->factor;
+    if (const auto unit_there = unit_in(heading, field)) return unit_there->factor;
   }
   if (unit == nullptr && field.dimension.is_number()) return 1.0;
   const auto wanted = [&](std::string_view text) {
-    return told(say("'{1}' is not a valid {2}", text, name_of(field.dimension)),
-                say("name the unit in the header, F [{1}], or give the unit of the numbers in the file: unit = "
-                    "\"{1}\", or unit = \"2.5 {1}\"",
-                    field.unit));
+    return wrong_history(
+        say("'{1}' is not a valid {2}", text, name_of(field.dimension)),
+        say("name the unit in the header, F [{1}], or give the unit of the numbers in the file: unit = "
+            "\"{1}\", or unit = \"2.5 {1}\"",
+            field.unit));
   };
   if (unit == nullptr || unit->value.type != Tree::Type::text) return wanted(unit == nullptr ? "" : unit->value.text);
   const std::string& text = unit->value.text;
@@ -70,26 +71,27 @@ std::optional<Fault> contradiction(const Tree& table, const FieldInfo& field, st
   const auto there = unit_in(heading, field);
   const auto here = unit == nullptr ? Outcome<UnitValue>(Fault{}) : parse_unit(unit->value.text);
   if (!there || !here || std::abs(here->factor / there->factor - 1.0) < 1e-12) return std::nullopt;
-  return told(say("the heading is '{1}', and unit = \"{2}\"", heading, unit->value.text),
-              say("leave out unit; or, where the heading is wrong, write unit = \"1 {1}\"", unit->value.text));
+  return wrong_history(say("the heading is '{1}', and unit = \"{2}\"", heading, unit->value.text),
+                       say("leave out unit; or, where the heading is wrong, write unit = \"1 {1}\"", unit->value.text));
 }
 
 Outcome<rainflow::Form> form_of(const Tree& table) {
   rainflow::Form form;
-  const auto* const told_form = table.find("form");
+  const auto* const named_form = table.find("form");
   const std::string& path = table.find("file")->value.text;
   const auto by_name = rainflow::format_of(path);
-  if (told_form != nullptr) {
+  if (named_form != nullptr) {
     const auto known =
-        std::find_if(forms.begin(), forms.end(), [&](const auto& row) { return row.first == told_form->value.text; });
+        std::find_if(forms.begin(), forms.end(), [&](const auto& row) { return row.first == named_form->value.text; });
     if (known == forms.end())
-      return told(say("'{1}' is not a known file format", told_form->value.text), say("csv, npy, f64 or f32"));
+      return wrong_history(say("'{1}' is not a known file format", named_form->value.text),
+                           say("csv, npy, f64 or f32"));
     form.format = known->second;
   } else if (by_name) {
     form.format = *by_name;
   } else if (path != "-") {
-    return told(say("the name '{1}' does not show the format of the file", path),
-                say("add form = \"csv\", npy, f64 or f32"));
+    return wrong_history(say("the name '{1}' does not show the format of the file", path),
+                         say("add form = \"csv\", npy, f64 or f32"));
   }
   const auto place_in_file = [&](const char* key) -> std::string {
     const auto* const entry = table.find(key);
@@ -99,9 +101,10 @@ Outcome<rainflow::Form> form_of(const Tree& table) {
   form.column = place_in_file("column"), form.row = place_in_file("row");
   if (form.row.empty()) return form;
   if (!form.column.empty())
-    return told(say("a series is a column or a row of the file, not both"), say("leave out one of column and row"));
+    return wrong_history(say("a series is a column or a row of the file, not both"),
+                         say("leave out one of column and row"));
   if (form.format != rainflow::Format::csv)
-    return told(say("'row' applies to text files, and this is not one"), say("leave out row"));
+    return wrong_history(say("'row' applies to text files, and this is not one"), say("leave out row"));
   return form;
 }
 
@@ -115,10 +118,10 @@ Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
   if (type != fs::file_type::regular)
-    return told(say("file '{1}' does not exist or cannot be read", path.string()),
-                fs::exists(path, error)
-                    ? say("the file must have an end; for piped input use file = \"-\", with its form")
-                    : say("the path is relative to the project file"));
+    return wrong_history(say("file '{1}' does not exist or cannot be read", path.string()),
+                         fs::exists(path, error)
+                             ? say("the file must have an end; for piped input use file = \"-\", with its form")
+                             : say("the path is relative to the project file"));
   return rainflow::open_source(path.string());
 }
 
@@ -149,15 +152,15 @@ class Turns {
     if (!more) return more.fault();
     append(*more);
     if (values_.size() > most_turns)
-      return told(say("it has more than {1} turning points", std::to_string(most_turns)),
-                  say("cut it, and count its parts"));
+      return wrong_history(say("it has more than {1} turning points", std::to_string(most_turns)),
+                           say("cut it, and count its parts"));
     return std::nullopt;
   }
   /// None where there is a history.
   std::optional<Fault> finish(const Message& what) {
     if (kept_ == Kept::turns) append(turning_points_.finish(next_values_.data(), next_at_.data()));
-    if (samples() == 0) return told(say("{1} has no values", what), {});
-    if (samples() == 1) return told(say("{1} has one value; a history needs at least two", what), {});
+    if (samples() == 0) return wrong_history(say("{1} has no values", what), {});
+    if (samples() == 1) return wrong_history(say("{1} has one value; a history needs at least two", what), {});
     return std::nullopt;
   }
   [[nodiscard]] std::vector<double>& values() { return values_; }
@@ -170,10 +173,11 @@ class Turns {
  private:
   std::optional<Fault> take_all(std::span<const double> samples) {
     if (values_.size() + samples.size() > most_in_step)
-      return told(say("it has more than {1} samples", std::to_string(most_in_step)),
-                  say("several series stay in step: cut all of them to the same range"));
+      return wrong_history(say("it has more than {1} samples", std::to_string(most_in_step)),
+                           say("several series stay in step: cut all of them to the same range"));
     for (const double sample : samples) {
-      if (!std::isfinite(sample)) return told(say("sample {1} is not a number", std::to_string(values_.size())), {});
+      if (!std::isfinite(sample))
+        return wrong_history(say("sample {1} is not a number", std::to_string(values_.size())), {});
       at_.push_back(static_cast<double>(values_.size()));
       values_.push_back(sample);
     }
@@ -208,7 +212,7 @@ std::optional<Fault> take_values(const Tree& list, Turns& turns) {
     if (item.type == Tree::Type::number) values.push_back(item.number);
   }
   if (values.empty() || values.size() != list.items.size())
-    return told(say("a history is a list of numbers"), say("values = [0, 3, -1], unit = \"MPa\""));
+    return wrong_history(say("a history is a list of numbers"), say("values = [0, 3, -1], unit = \"MPa\""));
   if (auto fault = turns.take(values)) return fault;
   return turns.finish(say("the list"));
 }
@@ -221,9 +225,9 @@ std::optional<Fault> put(Turns& turns, double unit, const FieldInfo& field, Hist
     double& si = turns.values()[i];
     si *= unit;
     if (!field.bounds.holds(si) || std::abs(si) > largest)
-      return told(say("sample {1} is {2}", std::to_string(static_cast<std::uint64_t>(turns.at()[i])),
-                      format_quantity(si, field.unit)),
-                  say("check the column and the unit"));
+      return wrong_history(say("sample {1} is {2}", std::to_string(static_cast<std::uint64_t>(turns.at()[i])),
+                               format_quantity(si, field.unit)),
+                           say("check the column and the unit"));
   }
   history.series.si = std::move(turns.values());
   axis->at = std::move(turns.at());
@@ -249,8 +253,8 @@ bool read_history(const Tree& table, const FieldInfo& field, Kept kept, History&
     return false;
   };
   const bool of_file = names_history_file(table);
-  const bool is_told = table.find("unit") != nullptr || !of_file;
-  const auto unit = is_told ? unit_of(table, field) : Outcome<double>(1.0);
+  const bool names_unit = table.find("unit") != nullptr || !of_file;
+  const auto unit = names_unit ? unit_of(table, field) : Outcome<double>(1.0);
   if (!unit) return refuse("unit", unit.fault());
   Turns turns(kept);
   if (!of_file) {

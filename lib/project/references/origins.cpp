@@ -21,16 +21,6 @@ namespace {
 
 thread_local NotedReads* noting = nullptr;
 
-}  // namespace
-
-NotedReads::NotedReads() { noting = this; }
-NotedReads::~NotedReads() { noting = nullptr; }
-void NotedReads::note(const std::string& path) {
-  if (noting != nullptr) noting->paths_.insert(path);
-}
-
-namespace {
-
 /// The value of largest magnitude; NaN if there is none.
 double magnitude(const Value& value) {
   double most = std::nan("");
@@ -41,6 +31,12 @@ double magnitude(const Value& value) {
 }
 
 }  // namespace
+
+NotedReads::NotedReads() { noting = this; }
+NotedReads::~NotedReads() { noting = nullptr; }
+void NotedReads::note(const std::string& path) {
+  if (noting != nullptr) noting->paths_.insert(path);
+}
 
 std::string because_key(const std::string& path) {
   const bool is_plain = path.find_first_of(".[") == std::string::npos;

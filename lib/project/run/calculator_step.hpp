@@ -2,8 +2,8 @@
 // every position of a cycle where an input is a series.
 #pragma once
 
-#include "lib/project/run/beside.hpp"
 #include "lib/project/run/evaluation/prepared_step.hpp"
+#include "lib/project/run/field_role.hpp"
 #include "lib/project/run/search/search.hpp"
 
 #include <cstddef>

@@ -117,8 +117,9 @@ void add_rows_beside(const Evaluation& evaluation, const Results& results, std::
       const double size = size_of_row(inputs, results, field);
       double si = look_up({field.key, &field, named->second.text, {}, *row}, size).si;
       if (std::isnan(si) && std::isnan(size)) si = table::largest_value(*row, from.column);
-      all.push_back({field.key, inputs.leaf(field.key), {{field.dimension, nullptr}, {si}}, source, beside_of(field)});
-      const bool is_capacity = all.back().kind == Beside::capacity;
+      all.push_back(
+          {field.key, inputs.leaf(field.key), {{field.dimension, nullptr}, {si}}, source, role_of_field(field)});
+      const bool is_capacity = all.back().kind == FieldRole::capacity;
       const double typed = largest_magnitude(inputs.value_of(field.key, all.back().leaf));
       all.back().by_size = *from.size != '\0' && (!is_capacity || depends_on_size(*row, from.column, 1.0, typed));
       all.back().row_of = from.table;
@@ -126,10 +127,10 @@ void add_rows_beside(const Evaluation& evaluation, const Results& results, std::
     }
     const Leaf instead = *from.unless == '\0' ? Leaf{} : inputs.leaf(from.unless);
     if (!instead || from.unless == std::string_view(field.key) || !is_typed(step.reading, from.unless) ||
-        bound_of(evaluation, from.unless) != nullptr || beside_of(*instead.field) != Beside::capacity)
+        bound_of(evaluation, from.unless) != nullptr || role_of_field(*instead.field) != FieldRole::capacity)
       continue;
     const double most = table::largest_value(*row, from.column);
-    all.push_back({from.unless, instead, {{instead.field->dimension, nullptr}, {most}}, source, Beside::capacity});
+    all.push_back({from.unless, instead, {{instead.field->dimension, nullptr}, {most}}, source, FieldRole::capacity});
     all.back().safe = safe_below(most);
   }
 }
@@ -160,7 +161,7 @@ void add_records_beside(const Evaluation& evaluation, const Known& known, std::v
     }
     divide_by_own_factors(evaluation.inputs(), kept, value);
     all.push_back({kept.path, leaf, std::move(value), say("'{1}'", kept.source),
-                   kept.is_load ? Beside::demand : beside_of(*leaf.field)});
+                   kept.is_load ? FieldRole::demand : role_of_field(*leaf.field)});
     all.back().by_size = true;  // at another point the record has another value
   }
 }
@@ -260,7 +261,7 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
                    leaf,
                    {{leaf.field->dimension, nullptr}, {share.part * strength}},
                    say("{1} of {2}", share.text, of),
-                   Beside::capacity});
+                   FieldRole::capacity});
     const double typed = largest_magnitude(evaluation.inputs().value_of(path, leaf));
     const double margin = is_allowable(bound->meaning) ? margin_of(evaluation) : 0.0;
     const double part = margin > 0.0 ? share.part / margin : share.part;
@@ -280,7 +281,7 @@ void add_origins_beside(const Evaluation& evaluation, const Known& known, std::v
       const Leaf leaf = evaluation.inputs().leaf(key);
       const std::string path = std::string(source).append(".").append(theirs);
       if (!leaf || known(path).signature.dimension != leaf.field->dimension) continue;
-      all.push_back({key, leaf, known(path), say("'{1}', the basis of {2}", path, operand.path), Beside::either});
+      all.push_back({key, leaf, known(path), say("'{1}', the basis of {2}", path, operand.path), FieldRole::either});
       all.back().by_size = true;  // at another point the source has another value
     }
   }
@@ -297,7 +298,7 @@ void add_body_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) 
                    leaf,
                    {{leaf.field->dimension, nullptr}, {fact.si}},
                    say("'{1}', a step of the same body", fact.by),
-                   beside_in_body(*leaf.field)});
+                   role_in_body(*leaf.field)});
     all.back().by_size = true;  // at another point the other step has another value
     all.back().is_of_body = true;
   }
@@ -314,7 +315,7 @@ void add_usual_beside(const Evaluation& evaluation, std::vector<Neighbour>& all)
     if (std::none_of(typed.si.begin(), typed.si.end(), is_unusual)) return;
     Value usual = typed;
     for (double& x : usual.si) x = std::isnan(x) ? x : std::clamp(x, field.plausible.low, field.plausible.high);
-    all.push_back({path, leaf, std::move(usual), say("the usual range"), Beside::usual});
+    all.push_back({path, leaf, std::move(usual), say("the usual range"), FieldRole::usual});
     all.back().by_size = true;  // whether it decides depends on all other values
   });
 }
@@ -333,7 +334,7 @@ void add_customary_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
                    leaf,
                    {{field.dimension, nullptr}, {limit}},
                    say("common practice"),
-                   is_below ? Beside::demand : Beside::capacity});
+                   is_below ? FieldRole::demand : FieldRole::capacity});
     all.back().by_size = true;  // it may come from the point
   });
 }
@@ -345,7 +346,7 @@ void add_unassessed_beside(const Evaluation& evaluation, std::vector<Neighbour>&
     if (!leaf.field->is_of_step || !is_typed(reading, path) || is_of_steps(reading, path)) return;
     Value half = evaluation.inputs().value_of(path, leaf);
     for (double& x : half.si) x *= 0.5;
-    all.push_back({path, leaf, std::move(half), say("a step"), Beside::capacity});
+    all.push_back({path, leaf, std::move(half), say("a step"), FieldRole::capacity});
     all.back().is_unassessed = true;
   });
 }

@@ -1,8 +1,8 @@
 // Neighbours of typed values: a row of a table or a record that has the same field, or a strength that bounds it.
 #pragma once
 
-#include "lib/project/run/beside.hpp"
 #include "lib/project/run/evaluation/results.hpp"
+#include "lib/project/run/field_role.hpp"
 
 #include <cstddef>
 #include <limits>
@@ -23,7 +23,7 @@ struct Neighbour {
   Leaf leaf;
   Value value;
   Message source;  // "the material 'S235JR'"
-  Beside kind = Beside::identity;
+  FieldRole kind = FieldRole::identity;
   bool by_size = false;
   double margin = 0.0;         // an allowable stress is below the strength by this factor; 0: it is none
   bool is_full = false;        // the typed value is the strength, or little below it

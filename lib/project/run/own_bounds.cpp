@@ -59,7 +59,7 @@ void add_bounds_beside(const Evaluation& evaluation, const Known& known, std::ve
                      leaf,
                      {{leaf.field->dimension, nullptr}, {value}},
                      say("{1}", say(bound.text)),
-                     bound.is_least ? Beside::demand : Beside::capacity});
+                     bound.is_least ? FieldRole::demand : FieldRole::capacity});
       all.back().by_size = true;  // at another point it has other neighbours
       all.back().of_bound = place;
     }

@@ -53,18 +53,18 @@ Value compared_value(const FieldInfo& field, Comparison comparison, const Value&
   return std::isnan(over_time) ? value : Value{{field.dimension, nullptr}, {over_time}, value.rounding};
 }
 
-Beside beside_of_comparison(Comparison comparison) {
+FieldRole beside_of_comparison(Comparison comparison) {
   switch (comparison) {
     case Comparison::same:
-      return Beside::identity;
+      return FieldRole::identity;
     case Comparison::near:
-      return Beside::either;
+      return FieldRole::either;
     case Comparison::at_most:
-      return Beside::capacity;
+      return FieldRole::capacity;
     case Comparison::at_least:
       break;
   }
-  return Beside::demand;
+  return FieldRole::demand;
 }
 
 /// Inputs that identify an element of a list, "stages[#].z_1", and how many of them agree with that of a place.

@@ -47,18 +47,18 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& neighbour) {
   if (field.type == FieldInfo::Type::choice)
     return say("{1} = {2} instead of {3} of {4}", neighbour.path, shown(field, typed), shown(field, other),
                neighbour.source);
-  if (neighbour.kind == Beside::usual) return unusual(neighbour.path, field, unusual_value(evaluation, neighbour));
-  if (neighbour.kind == Beside::either)
+  if (neighbour.kind == FieldRole::usual) return unusual(neighbour.path, field, unusual_value(evaluation, neighbour));
+  if (neighbour.kind == FieldRole::either)
     return say("{1} = {2}, and {3} has {4}", neighbour.path, shown(field, typed), neighbour.source,
                shown(field, other));
   if (neighbour.is_unassessed) return say("{1} = {2} is not the result of a step", neighbour.path, shown(field, typed));
   if (neighbour.is_full)
     return say("{1} = {2} has next to no safety factor against {3}", neighbour.path, shown(field, typed),
                neighbour.source);
-  return neighbour.kind == Beside::capacity ? say("{1} = {2}, above {3} of {4}", neighbour.path, shown(field, typed),
-                                                  shown(field, other), neighbour.source)
-                                            : say("{1} = {2}, below {3} of {4}", neighbour.path, shown(field, typed),
-                                                  shown(field, other), neighbour.source);
+  return neighbour.kind == FieldRole::capacity ? say("{1} = {2}, above {3} of {4}", neighbour.path, shown(field, typed),
+                                                     shown(field, other), neighbour.source)
+                                               : say("{1} = {2}, below {3} of {4}", neighbour.path, shown(field, typed),
+                                                     shown(field, other), neighbour.source);
 }
 
 /// All neighbours with a value, apart from derived bounds.
@@ -112,7 +112,7 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
       bolder.push_back(std::move(neighbour));
       continue;
     }
-    if (is_the_same && neighbour.kind != Beside::usual) continue;
+    if (is_the_same && neighbour.kind != FieldRole::usual) continue;
     if (is_bolder(neighbour.kind, typed, other)) bolder.push_back(std::move(neighbour));
   }
   return bolder;
@@ -176,7 +176,7 @@ bool is_far_from_usual(const Evaluation& evaluation, const Neighbour& neighbour)
 /// Marks the checks and limits that change with the neighbour in place of the value; for the nearest usual value,
 /// those that pass only with the typed one, and if it is `far` off those that it lowers. True if results change, but
 /// no check or limit, or if a check exists only with the neighbour: sliding, with a speed other than zero.
-bool mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, Beside kind, bool far,
+bool mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, FieldRole kind, bool far,
                   WeighedValues& weighed) {
   bool decides = false, changes = false, hides = false;
   for (const ResultSeries& series : with_typed.series) {
@@ -184,12 +184,12 @@ bool mark_decided(const Results& with_typed, const Results& with_other, const Bo
     changes = true;
     if (!is_verdict(*series.field)) continue;
     hides = hides || std::isnan(largest_magnitude(series.value));
-    const bool by_value = kind == Beside::usual || kind == Beside::either;
+    const bool by_value = kind == FieldRole::usual || kind == FieldRole::either;
     const bool is_decided = !by_value || passes_in_the_first_only(series, with_other) ||
-                            ((far || kind == Beside::either) && is_lower_in_the_first(series, with_other));
+                            ((far || kind == FieldRole::either) && is_lower_in_the_first(series, with_other));
     if (is_decided) weighed.decided.emplace(series.path, bolder);
     // A limit does not show on which side of it a value of another part is unsafe.
-    decides = decides || is_decided || kind != Beside::either || series.field->role == Role::check;
+    decides = decides || is_decided || kind != FieldRole::either || series.field->role == Role::check;
   }
   return hides || (changes && !decides);
 }
@@ -320,10 +320,10 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
                               ? Bolder{"", weighed.reasons.at(neighbour.path)}
                               : Bolder{"because." + neighbour.path,
                                        say("{1}; give the reason: because.{2} = \"...\"", excess, neighbour.path)};
-    const bool is_far = neighbour.kind == Beside::usual && is_far_from_usual(evaluation, neighbour);
+    const bool is_far = neighbour.kind == FieldRole::usual && is_far_from_usual(evaluation, neighbour);
     const bool only_changes =
         mark_decided(results, results_with(evaluation, neighbour), bolder, neighbour.kind, is_far, weighed);
-    const bool goes_on = neighbour.kind != Beside::usual || is_concluded_elsewhere(step, wanted.taken);
+    const bool goes_on = neighbour.kind != FieldRole::usual || is_concluded_elsewhere(step, wanted.taken);
     const bool stays = is_of_row(evaluation, neighbour.path);
     if (((only_changes && goes_on) || stays) && reason == nullptr) weighed.handed_on.push_back(bolder);
   }

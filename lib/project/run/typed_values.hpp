@@ -1,11 +1,11 @@
 // Typed values compared with table rows, records, strengths that bound them, and usual ranges. A value of another
 // part is an error; a more favourable value holds back the modes that it decides until the user justifies it
-// (lib/project/run/beside.hpp).
+// (lib/project/run/field_role.hpp).
 #pragma once
 
 #include "lib/project/modes.hpp"
-#include "lib/project/run/beside.hpp"
 #include "lib/project/run/evaluation/results.hpp"
+#include "lib/project/run/field_role.hpp"
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
 #include "lib/project/solving/body_facts.hpp"
 
 #include "lib/project/because.hpp"
-#include "lib/project/run/beside.hpp"
+#include "lib/project/run/field_role.hpp"
 #include "lib/project/run/neighbours.hpp"
 #include "lib/project/solving/bodies.hpp"
 #include "lib/quantity/format.hpp"
@@ -101,13 +101,13 @@ bool is_surpassed(const Statement& own, const Statement& other) {
   if (is_of_material && !is_given(*own.step, *own.input)) return false;
   // A bar in tension in one load case is compressed in another.
   if (a == 0.0 && own.input->signed_load) return false;
-  const Beside kind = beside_in_body(*own.input);
+  const FieldRole kind = role_in_body(*own.input);
   return is_of_one_part(kind) || is_bolder(kind, a, b);
 }
 
 /// Of two values of other steps, whether the first is the less favourable.
 bool is_worse(const Statement& a, const Statement& b) {
-  return beside_in_body(*a.input) == Beside::capacity ? a.measure < b.measure : a.measure > b.measure;
+  return role_in_body(*a.input) == FieldRole::capacity ? a.measure < b.measure : a.measure > b.measure;
 }
 
 void add_facts(const std::vector<Statement>& all, std::map<Step*, BodyFacts>& facts) {

@@ -150,9 +150,9 @@ bool Variants::solve_first(std::span<const double* const> in, std::size_t n) {
 /// Set up at the first point that is solved; without one the next block is tried.
 void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   const bool solved_twice = project_.passes.size() != project_.order.size() || !project_.beforehand.empty();
-  const bool hangs_on_others = leaves_modes(project_) || leaves_elements(project_) || solved_twice;
-  if (!hangs_on_others && !solve_first(in, n)) return;
-  const bool has_kernels = !hangs_on_others && (find_kernels(false) || find_kernels(true));
+  const bool depends_on_others = leaves_modes(project_) || leaves_elements(project_) || solved_twice;
+  if (!depends_on_others && !solve_first(in, n)) return;
+  const bool has_kernels = !depends_on_others && (find_kernels(false) || find_kernels(true));
   way_ = has_kernels ? Way::columns : Way::alone;
   if (!has_kernels) kernels_.clear();
 }

@@ -65,7 +65,7 @@ TEST_SUITE("found parts of values") {
     CHECK(bearing("=0.1*values.n") == "not-judged");
   }
 
-  TEST_CASE("the force of a mounted component is no part of a value, also of one that is computed") {
+  TEST_CASE("the force of a mounted component is not a part of a value, nor of one that is computed") {
     const auto state = [](const std::string& F, const std::string& other = "0 N") {
       return mode_of(
           solved_as_found(
@@ -95,7 +95,7 @@ TEST_SUITE("found parts of values") {
     for (const char* const D : {"=values.D/2", "=0.5*values.D"}) CHECK_MESSAGE(state(D) == "not-judged", D);
   }
 
-  TEST_CASE("a radius is no quarter of a diameter, and no part of the value under its name") {
+  TEST_CASE("a radius is not a quarter of a diameter, nor a part of the value under its name") {
     const auto state = [](const std::string& R) {
       return mode_of(
           solved_as_found("[values]\nD = \"1200 mm\"\nR = \"600 mm\"\n[shell]\ncalculator = "

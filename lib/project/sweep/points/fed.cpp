@@ -1,6 +1,6 @@
 #include "lib/project/sweep/points/fed.hpp"
 
-#include "lib/project/run/beside.hpp"
+#include "lib/project/run/field_role.hpp"
 #include "lib/project/sweep/points/bounds.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "lib/project/run/beside.hpp"
+#include "lib/project/run/field_role.hpp"
 
 #include "lib/quantity/literal.hpp"
 
@@ -42,21 +42,21 @@ Digits digits_of(std::string_view text) {
 
 }  // namespace
 
-Beside beside_of_dimension(const Dimension& dimension) {
+FieldRole role_of_dimension(const Dimension& dimension) {
   const auto& powers = dimension.twelfths;
-  return powers[Dimension::mass] > 0 && powers[Dimension::time] < 0 ? Beside::capacity : Beside::identity;
+  return powers[Dimension::mass] > 0 && powers[Dimension::time] < 0 ? FieldRole::capacity : FieldRole::identity;
 }
 
-Beside beside_of(const FieldInfo& field) {
-  if (field.is_load || field.larger_is_better || field.is_factor) return Beside::demand;
+FieldRole role_of_field(const FieldInfo& field) {
+  if (field.is_load || field.larger_is_better || field.is_factor) return FieldRole::demand;
   // Another modulus is another metal, stronger or not.
   const std::string_view column = field.provider.column;
-  if (column == "E" || column == "G") return Beside::modulus;
+  if (column == "E" || column == "G") return FieldRole::modulus;
   // A slower part than that of the row is conservative: a limiting speed with other grease.
   const bool is_limiting_speed =
       *field.provider.table != '\0' && field.dimension.without_angle() == Dimension::of(0, 0, -1);
-  if (is_limiting_speed) return Beside::capacity;
-  return field.type == FieldInfo::Type::quantity ? beside_of_dimension(field.dimension) : Beside::identity;
+  if (is_limiting_speed) return FieldRole::capacity;
+  return field.type == FieldInfo::Type::quantity ? role_of_dimension(field.dimension) : FieldRole::identity;
 }
 
 std::string facts_of(const FieldInfo& field) {
@@ -65,9 +65,9 @@ std::string facts_of(const FieldInfo& field) {
   return from.kind == Provider::Kind::table && from.table == std::string_view("material") ? from.column : "";
 }
 
-Beside beside_in_body(const FieldInfo& field) {
-  if (field.type == FieldInfo::Type::choice) return Beside::either;
-  return *field.least_of_source != '\0' ? Beside::demand : beside_of(field);
+FieldRole role_in_body(const FieldInfo& field) {
+  if (field.type == FieldInfo::Type::choice) return FieldRole::either;
+  return *field.least_of_source != '\0' ? FieldRole::demand : role_of_field(field);
 }
 
 bool is_empirical(const FieldInfo& field) {
@@ -91,10 +91,10 @@ double relative_rounding(std::string_view typed) {
   return std::clamp(half_unit / number * (1.0 + 1e-9), rounding_of_numbers, most_rounding);
 }
 
-bool is_equal(Beside beside, double typed, double other, double rounding) {
+bool is_equal(FieldRole role, double typed, double other, double rounding) {
   constexpr double of_moduli = 0.06;  // books have 200 to 210 GPa for the same steel
-  if (beside == Beside::either) typed = std::abs(typed), other = std::abs(other);  // both directions of rotation
-  if (beside == Beside::modulus) rounding = std::max(rounding, of_moduli);
+  if (role == FieldRole::either) typed = std::abs(typed), other = std::abs(other);  // both directions of rotation
+  if (role == FieldRole::modulus) rounding = std::max(rounding, of_moduli);
   return typed == other || std::abs(typed - other) <= rounding * std::abs(typed);
 }
 
@@ -103,9 +103,9 @@ bool keeps(const KeptBound& bound, double value) {
          (!std::isnan(bound.typed) && !is_bolder(bound.kind, bound.typed, value));
 }
 
-bool is_bolder(Beside beside, double typed, double other) {
-  if (beside == Beside::usual || beside == Beside::either) return true;
-  return beside == Beside::capacity ? typed > other : std::abs(typed) < std::abs(other);
+bool is_bolder(FieldRole role, double typed, double other) {
+  if (role == FieldRole::usual || role == FieldRole::either) return true;
+  return role == FieldRole::capacity ? typed > other : std::abs(typed) < std::abs(other);
 }
 
 }  // namespace loadpath::project

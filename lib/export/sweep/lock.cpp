@@ -5,7 +5,6 @@
 #include <cstring>
 #include <fcntl.h>
 #include <string>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -38,13 +37,29 @@ bool is_still_there(int file, const fs::path& path) {
 
 enum class Locked { yes, no, never };
 
+/// A lock of the whole file: of the open file, not of the process, so that two sweeps of one process exclude each
+/// other.
+struct flock whole_file(short type) {
+  struct flock of {};
+  of.l_type = type;
+  of.l_whence = SEEK_SET;
+  return of;
+}
+
 /// never: the file system does not support locks.
-Locked lock(int file, int how) {
-  while (::flock(file, how | LOCK_NB) != 0) {
-    if (errno == EWOULDBLOCK) return Locked::no;
+Locked lock(int file, short type) {
+  struct flock of = whole_file(type);
+  while (::fcntl(file, F_OFD_SETLK, &of) != 0) {
+    if (errno == EAGAIN || errno == EACCES) return Locked::no;
     if (errno != EINTR) return Locked::never;
   }
   return Locked::yes;
+}
+
+/// Whether a process has locked the file for writing. Takes no lock, which would turn away a sweep that begins.
+bool is_written(int file) {
+  struct flock of = whole_file(F_RDLCK);
+  return ::fcntl(file, F_OFD_GETLK, &of) == 0 && of.l_type == F_WRLCK;
 }
 
 Fault at_work(const fs::path& folder, int file) {
@@ -76,7 +91,7 @@ Outcome<FolderLock> FolderLock::to_write(const fs::path& folder) {
     FolderLock own;
     own.file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (own.file_ < 0) return Fault{0, 1, say("cannot write '{1}': {2}", path.string(), std::strerror(errno)), {}};
-    const Locked locked = lock(own.file_, LOCK_EX);
+    const Locked locked = lock(own.file_, F_WRLCK);
     if (locked == Locked::no) return at_work(folder, own.file_);
     if (locked == Locked::yes && !is_still_there(own.file_, path)) continue;
     own.path_ = path;
@@ -86,10 +101,17 @@ Outcome<FolderLock> FolderLock::to_write(const fs::path& folder) {
   }
 }
 
+std::optional<Fault> FolderLock::writer_of(const fs::path& folder) {
+  FolderLock own;
+  own.file_ = ::open((folder / file_name).c_str(), O_RDONLY | O_CLOEXEC);
+  if (own.file_ < 0 || !is_written(own.file_)) return std::nullopt;
+  return at_work(folder, own.file_);
+}
+
 Outcome<FolderLock> FolderLock::to_read(const fs::path& folder) {
   FolderLock own;
   own.file_ = ::open((folder / file_name).c_str(), O_RDONLY | O_CLOEXEC);
-  if (own.file_ >= 0 && lock(own.file_, LOCK_SH) == Locked::no) return at_work(folder, own.file_);
+  if (own.file_ >= 0 && lock(own.file_, F_RDLCK) == Locked::no) return at_work(folder, own.file_);
   return own;  // without a file no process writes there
 }
 

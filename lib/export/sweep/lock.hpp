@@ -5,6 +5,7 @@
 #include "lib/text/issue.hpp"
 
 #include <filesystem>
+#include <optional>
 
 namespace loadpath::exports {
 
@@ -22,6 +23,8 @@ class FolderLock {
   static Outcome<FolderLock> to_write(const std::filesystem::path& folder);
   /// Locks for reading: the content must not change meanwhile.
   static Outcome<FolderLock> to_read(const std::filesystem::path& folder);
+  /// That another process is writing there, if one is. Takes no lock.
+  static std::optional<Fault> writer_of(const std::filesystem::path& folder);
 
  private:
   std::filesystem::path path_;  // file of a writer, which removes it

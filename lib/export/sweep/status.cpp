@@ -36,7 +36,7 @@ bool read_manifest(const boost::json::value& manifest, FolderStatus& status) {
 }  // namespace
 
 Outcome<FolderStatus> status_of(const fs::path& folder) {
-  const auto lock = FolderLock::to_read(folder);
+  const auto writer = FolderLock::writer_of(folder);
   std::ifstream in(folder / manifest_name, std::ios::binary);
   if (!in)
     return refused(folder, is_unbegun(folder) ? say("nothing is saved there yet") : say("no sweep in this folder"),
@@ -46,7 +46,7 @@ Outcome<FolderStatus> status_of(const fs::path& folder) {
   const boost::json::value manifest = boost::json::parse(text, error);
   FolderStatus status;
   if (error || !read_manifest(manifest, status)) return Fault{0, 1, damaged(folder), {}};
-  if (!lock) status.at_work = lock.fault().message;
+  if (writer) status.at_work = writer->message;
   return status;
 }
 

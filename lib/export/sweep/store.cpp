@@ -129,8 +129,8 @@ Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& 
   };
   std::error_code error;
   if (fs::exists(folder, error) && !is_unbegun(folder)) {
-    const auto unlocked = FolderLock::to_read(folder);
-    return unlocked ? taken() : unlocked.fault();
+    const auto writer = FolderLock::writer_of(folder);
+    return writer ? *writer : taken();
   }
   SweepStore store(folder, plan, std::move(sweep), std::move(none));
   fs::create_directories(folder, error);

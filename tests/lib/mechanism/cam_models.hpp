@@ -26,11 +26,11 @@ inline Joint& touch(Model& model, int follower, Vec point, int cam, Profile prof
 
 /// Rise over 120 degrees, dwell, fall over 150 degrees.
 inline Lift rise_dwell_fall(LiftLaw law, double rise) {
-  const double degree = std::numbers::pi / 180.0;
-  return Lift(std::vector<LiftSegment>{{law, 120.0 * degree, rise},
-                                       {LiftLaw::dwell, 40.0 * degree, 0.0},
-                                       {law, 150.0 * degree, -rise},
-                                       {LiftLaw::dwell, 50.0 * degree, 0.0}});
+  const double per_degree = std::numbers::pi / 180.0;
+  return Lift(std::vector<LiftSegment>{{law, 120.0 * per_degree, rise},
+                                       {LiftLaw::dwell, 40.0 * per_degree, 0.0},
+                                       {law, 150.0 * per_degree, -rise},
+                                       {LiftLaw::dwell, 50.0 * per_degree, 0.0}});
 }
 
 inline int add_cam(Model& model, double angle) {

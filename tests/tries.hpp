@@ -1,6 +1,8 @@
 // The number of repetitions of tests that depend on chance, or take long and hardly differ from time to time.
 #pragma once
 
+#include "tests/program.hpp"
+
 #include <cstddef>
 #include <cstdlib>
 #include <string_view>
@@ -18,14 +20,6 @@ inline int tries(int all, int of = 10) { return in_full() || all <= of ? all : a
 
 /// Whether number `at` of many is tried: all, or the first of each `of`. A suite that calls it is marked takes_share.
 inline bool is_tried(std::size_t at, std::size_t of) { return in_full() || at % of == 0; }
-
-#if defined(__SANITIZE_ADDRESS__)
-inline constexpr bool sanitized = true;
-#elif defined(__has_feature)
-inline constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-inline constexpr bool sanitized = false;
-#endif
 
 /// Every how many of many alike are tried: fewer with sanitizers, which take ten times as long.
 inline std::size_t one_of(std::size_t number) { return in_full() ? 1 : sanitized ? 5 * number : number; }

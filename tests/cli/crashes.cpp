@@ -1,6 +1,7 @@
 // However the program is ended while it writes, every output is the old file or a complete new one.
 #include "tests/cli/process.hpp"
 #include "tests/parts.hpp"
+#include "tests/program.hpp"
 #include "tests/tries.hpp"
 
 #include <algorithm>
@@ -49,9 +50,9 @@ class Watch {
 pid_t start_writing(const Desk& desk) {
   const auto in_folder = [&](const char* name) { return (desk.folder() / name).string(); };
   const std::string project = in_folder("a.toml"), html = in_folder("a.html"), csv = in_folder("a.csv");
-  const std::array words{LOADPATH_PROGRAM, "run",       project.c_str(),
-                         "--quiet",        "--report",  html.c_str(),
-                         "--csv",          csv.c_str(), static_cast<const char*>(nullptr)};
+  const std::array words{program,   "run",       project.c_str(),
+                         "--quiet", "--report",  html.c_str(),
+                         "--csv",   csv.c_str(), static_cast<const char*>(nullptr)};
   pid_t child = 0;
   REQUIRE(posix_spawn(&child, words[0], nullptr, nullptr, const_cast<char**>(words.data()), environ) == 0);
   return child;

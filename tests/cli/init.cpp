@@ -1,5 +1,6 @@
 // New projects: every template solves, and contains the values set by the shell or its answers.
 #include "tests/cli/process.hpp"
+#include "tests/program.hpp"
 
 #include <pty.h>
 #include <sys/wait.h>
@@ -28,7 +29,7 @@ Ran on_terminal(const Desk& desk, const std::vector<std::string>& words, const s
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
   if (child == 0) {
-    std::vector<char*> arguments{const_cast<char*>(LOADPATH_PROGRAM)};
+    std::vector<char*> arguments{const_cast<char*>(program)};
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     if (chdir(desk.folder().c_str()) == 0) execv(arguments[0], arguments.data());

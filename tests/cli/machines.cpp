@@ -2,6 +2,7 @@
 // voice.
 #include "tests/cli/sweeps.hpp"
 #include "tests/parts.hpp"
+#include "tests/program.hpp"
 #include "tests/tries.hpp"
 
 #include <chrono>
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path mpi_program() { return fs::path(LOADPATH_PROGRAM).parent_path() / "loadpath-mpi"; }
+fs::path mpi_program() { return fs::path(program).parent_path() / "loadpath-mpi"; }
 
 bool is_built() {
   if (fs::exists(mpi_program())) return true;

@@ -2,6 +2,7 @@
 #include "calculators/catalogue.hpp"
 #include "lib/export/json.hpp"
 #include "tests/cli/process.hpp"
+#include "tests/program.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -58,9 +59,9 @@ TEST_SUITE("cli outputs") {
     if (!can_mount()) return;
     const Desk desk;
     desk.put("a.toml", axle);
-    const Ran ran = desk.shell(
-        "unshare -rm sh -c 'mkdir d && mount -t tmpfs -o size=16k none d && echo old > d/a.html && "
-        "\"" LOADPATH_PROGRAM "\" run a.toml --report d/a.html; echo code $?; ls -A d; cat d/a.html'");
+    const Ran ran =
+        desk.shell("unshare -rm sh -c 'mkdir d && mount -t tmpfs -o size=16k none d && echo old > d/a.html && \"" +
+                   std::string(program) + "\" run a.toml --report d/a.html; echo code $?; ls -A d; cat d/a.html'");
     CHECK(contains(ran.error, "cannot write 'd/a.html': No space left on device"));
     CHECK(ran.out == "code 2\na.html\nold\n");
   }

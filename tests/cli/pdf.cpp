@@ -1,5 +1,6 @@
 // A PDF is printed by a browser, which may fail: browsers of shell script replace it here.
 #include "tests/cli/process.hpp"
+#include "tests/program.hpp"
 #include "tests/waiting.hpp"
 
 #include <csignal>
@@ -51,7 +52,7 @@ class Office {
 /// Starts the program and, once its browser has written "runs", sends the signal; the exit code.
 int interrupted_with(const Office& office, int signal) {
   const std::string line = "cd '" + office.in("") + "' && PATH='" + office.in("bin") + "':/usr/bin:/bin TMPDIR='" +
-                           office.in("tmp") + "' exec '" LOADPATH_PROGRAM "' run a.toml --quiet --report a.pdf";
+                           office.in("tmp") + "' exec '" + program + "' run a.toml --quiet --report a.pdf";
   const char* words[] = {"/bin/sh", "-c", line.c_str(), nullptr};
   pid_t child = 0;
   REQUIRE(posix_spawn(&child, words[0], nullptr, nullptr, const_cast<char**>(words), environ) == 0);

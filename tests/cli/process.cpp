@@ -1,5 +1,7 @@
 #include "tests/cli/process.hpp"
 
+#include "tests/program.hpp"
+
 #include <algorithm>
 #include <fcntl.h>
 #include <fstream>
@@ -67,13 +69,13 @@ Desk::~Desk() {
 }
 
 Ran Desk::run(const std::vector<std::string>& words, const std::string& input, const Environment& environment) const {
-  std::vector<std::string> all{LOADPATH_PROGRAM};
+  std::vector<std::string> all{program};
   all.insert(all.end(), words.begin(), words.end());
   return run_in(folder_, all, input, environment);
 }
 
 Ran Desk::shell(const std::string& line) const {
-  return run_in(folder_, {"/bin/sh", "-c", "loadpath() { '" LOADPATH_PROGRAM "' \"$@\"; }; " + line}, "", {});
+  return run_in(folder_, {"/bin/sh", "-c", std::string("loadpath() { '") + program + "' \"$@\"; }; " + line}, "", {});
 }
 
 void Desk::put(const std::string& name, const std::string& text) const {

@@ -1,5 +1,6 @@
 // Completion as the shells do it, and the manual page.
 #include "tests/cli/process.hpp"
+#include "tests/program.hpp"
 
 #include <algorithm>
 
@@ -23,9 +24,9 @@ bool has(const std::string& offered, const std::string& word) {
 
 /// Completion by bash of a line that ends where the tabulator is struck.
 std::string in_bash(const Desk& desk, const std::string& words) {
-  desk.put("try.bash",
-           "loadpath() { '" LOADPATH_PROGRAM "' \"$@\"; }\nsource <(loadpath completion bash)\nCOMP_WORDS=(" + words +
-               ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_loadpath\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
+  desk.put("try.bash", std::string("loadpath() { '") + program +
+                           "' \"$@\"; }\nsource <(loadpath completion bash)\nCOMP_WORDS=(" + words +
+                           ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_loadpath\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
   return "\n" + desk.shell("bash try.bash").out;
 }
 

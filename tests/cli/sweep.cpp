@@ -1,6 +1,7 @@
 // The command `sweep`: the same bytes by any number of threads and shards, after every kind of end; and its words.
 #include "tests/cli/sweeps.hpp"
 #include "tests/parts.hpp"
+#include "tests/program.hpp"
 #include "tests/tries.hpp"
 
 #include <array>
@@ -19,7 +20,7 @@ namespace {
 
 pid_t start(const Desk& desk, const std::vector<std::string>& words) {
   std::vector<char*> all;
-  const std::string program = LOADPATH_PROGRAM, folder = desk.folder().string();
+  const std::string folder = desk.folder().string();
   std::vector<std::string> kept{"sh", "-c", "cd '" + folder + "' && exec '" + program + "' \"$@\" 2>/dev/null", "sh"};
   kept.insert(kept.end(), words.begin(), words.end());
   for (std::string& word : kept) all.push_back(word.data());
@@ -96,7 +97,7 @@ TEST_SUITE("sweep command" * by_case) {
   TEST_CASE("Ctrl-C keeps the solved points, and states how to resume") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
-    const Ran ran = desk.shell("'" LOADPATH_PROGRAM
+    const Ran ran = desk.shell(std::string("'") + program +
                                "' sweep a.toml --samples 10000000 --out part --save-every 0.05 --no-columns --quiet & "
                                "at=$!; " +
                                until_solved("part") + "kill -INT $at; wait $at");

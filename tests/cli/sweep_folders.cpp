@@ -2,6 +2,7 @@
 // shards that are missing, changed in number, or of something else.
 #include "tests/cli/sweeps.hpp"
 #include "tests/parts.hpp"
+#include "tests/program.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -25,7 +26,9 @@ Ran sweep(const Desk& desk, const std::string& out, const Words& more = {}) {
 }
 
 /// A line of the shell in which $P is the program itself, so that $! is its process.
-Ran shell(const Desk& desk, const std::string& line) { return desk.shell("export P='" LOADPATH_PROGRAM "'; " + line); }
+Ran shell(const Desk& desk, const std::string& line) {
+  return desk.shell(std::string("export P='") + program + "'; " + line);
+}
 
 void refused(const Ran& ran, const std::string& why) {
   CHECK(ran.code == 2);

@@ -1,5 +1,6 @@
 #include "tests/cli/watching.hpp"
 
+#include "tests/program.hpp"
 #include "tests/waiting.hpp"
 
 #include <csignal>
@@ -19,7 +20,7 @@ Watching::Watching(const Desk& desk, const std::string& file) : desk_(desk) {
     const int said = open("said", O_WRONLY | O_CREAT | O_TRUNC, 0600),
               errors = open("errors", O_WRONLY | O_CREAT, 0600);
     if (dup2(said, STDOUT_FILENO) >= 0 && dup2(errors, STDERR_FILENO) >= 0)
-      execl(LOADPATH_PROGRAM, LOADPATH_PROGRAM, "watch", file.c_str(), static_cast<char*>(nullptr));
+      execl(program, program, "watch", file.c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
   REQUIRE(says("1: "));

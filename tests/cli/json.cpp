@@ -1,5 +1,6 @@
 // Program data for other programs: --json of list, describe, tables and verify; and describe by parts.
 #include "tests/cli/process.hpp"
+#include "tests/tries.hpp"
 
 #include <boost/json.hpp>
 
@@ -26,7 +27,9 @@ TEST_SUITE("knowledge as json") {
     const json::value all = told({"list", "--json"});
     const auto& calculators = all.at("calculators").as_array();
     CHECK(calculators.size() >= 46);
+    Share share(6);
     for (const json::value& c : calculators) {
+      if (share.skips()) continue;
       CAPTURE(c.at("id").as_string());
       const json::value one = told({"describe", c.at("id").as_string().c_str(), "--json"});
       CHECK(one.at("title") == c.at("title"));

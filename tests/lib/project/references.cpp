@@ -1,5 +1,6 @@
 // References of a step other than numbers: counts, words, rows of tables, lists, records, shared values.
 #include "tests/lib/project/solved.hpp"
+#include "tests/program.hpp"
 
 #include <doctest/doctest.h>
 
@@ -307,7 +308,8 @@ TEST_SUITE("shared values") {
     const auto shaft = [](const std::string& list) {
       return "[shaft]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\ntorques = \"=values." + list + "\"\n";
     };
-    CHECK_MESSAGE(contains(Solved(doubled + shaft("a20")).errors(), "nested values give too many values"), "2^20");
+    if (!test::sanitized)
+      CHECK_MESSAGE(contains(Solved(doubled + shaft("a20")).errors(), "nested values give too many values"), "2^20");
     CHECK_MESSAGE(contains(Solved(doubled + shaft("a60")).errors(), "nested values give too many values"), "60 deep");
     const Solved circle("[values]\na = [\"=values.b\"]\nb = [\"=values.a\"]\n" + shaft("a"));
     CHECK_MESSAGE(contains(circle.errors(), "values.a -> values.b -> values.a"), circle.errors());

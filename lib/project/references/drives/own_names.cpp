@@ -93,6 +93,7 @@ bool is_explained(const Step& step, const Project& project, const Operand& opera
     const std::string_view key = field.key;
     const bool is_ratio = field.is_number() && field.dimension.is_number() && (key == "i" || key == "u");
     if (field.type != FieldInfo::Type::count && !is_ratio) return false;  // a safety factor explains no share
+    if (key.starts_with("z_")) return false;                              // teeth share no load
     const double number = std::abs(own_value(step, project, field.key));
     return std::abs(number * share - 1.0) <= few_digits || std::abs(number - share) <= few_digits * share;
   });
@@ -240,12 +241,25 @@ void compare_size(const Step& step, const Project& project, const Operand& opera
                 key, format_number(share, 4), name, because_key(key))});
 }
 
+/// The largest share of a load over the cycle, by its own list "over"; 1 if it has none.
+double most_share(const Step& step, const Project& project, const std::string& path) {
+  if (!path.starts_with("loads")) return 1.0;
+  const std::string over = path.substr(0, path.rfind('.') + 1) + "over";
+  double most = std::nan("");
+  for_each_leaf(step.input().reading.record, [&](const std::string& at, const Leaf&) {
+    if (at.starts_with(over) && at.ends_with(".share")) most = std::fmax(most, std::abs(own_value(step, project, at)));
+  });
+  return std::isnan(most) ? 1.0 : std::fmin(1.0, most);
+}
+
 /// A load that is a part of a load of [values] by a bare number: "F = =values.F/4". The parts may make up the whole,
 /// as two bearings with a half each; an angle states the direction of a component.
 void compare_load(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
   const std::string path = only_value(operand);
   const FieldInfo& field = *operand.leaf.field;
-  if (path.empty() || !loads_a_part(field, operand.path) || operand.expression.is_reference()) return;
+  const double most = most_share(step, project, operand.path);
+  const bool is_whole = operand.expression.is_reference() && most >= 1.0;
+  if (path.empty() || !loads_a_part(field, operand.path) || is_whole) return;
   if (is_named(step, operand) && path != only_reference(operand)) return;
   const Value* const value = stated_value(project, path);
   if (value == nullptr || value->si.size() != 1 || value->signature.dimension != field.dimension) return;
@@ -253,7 +267,7 @@ void compare_load(const Step& step, const Project& project, const Operand& opera
       operand.text.find("tan") != std::string::npos || means(*step.input().calculator, operand.path, &is_part_of_cycle))
     return;
   const double stated = std::abs(value->si.front());
-  const double share = std::abs(own_value(step, project, operand.path)) / stated;
+  const double share = most * std::abs(own_value(step, project, operand.path)) / stated;
   if (!(stated > 0.0 && share > 0.0 && share < least_share) || is_half_of_two(operand, share) ||
       is_explained(step, project, operand, share))
     return;
@@ -261,6 +275,56 @@ void compare_load(const Step& step, const Project& project, const Operand& opera
   found.push_back({operand.path, say("{1} is {2} times '{3}', and no input takes the rest: refer to a value that "
                                      "states the share or the number of parts, or justify it: {4} = \"...\"",
                                      operand.path, format_number(share, 4), path, because_key(operand.path))});
+}
+
+/// What the columns of the project take of a length in parts: two storeys of one height.
+double taken_in_lengths(const Project& project, const std::string& path) {
+  double total = 0.0;
+  for (const auto& step : project.steps) {
+    for (const Operand& operand : step->input().reading.operands) {
+      if (operand.path == "l" && only_value(operand) == path) total += std::abs(own_value(*step, project, "l"));
+    }
+  }
+  return total;
+}
+
+/// The length of a bar that may buckle, as a part of a length of [values] by a bare number: half of a storey is braced
+/// in the middle, which the file does not state.
+void compare_length(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
+  const auto& fields = step.input().calculator->input->fields;
+  const bool is_of_bar = operand.path == "l" && find_field(fields, "n_st") != nullptr;
+  const std::string path = is_of_bar ? only_value(operand) : std::string();
+  if (path.empty() || operand.expression.is_reference() || is_named(step, operand)) return;
+  const Value* const value = stated_value(project, path);
+  if (value == nullptr || value->si.size() != 1 || value->signature.dimension != Dimension::of(1, 0, 0)) return;
+  const double stated = std::abs(value->si.front()), share = std::abs(own_value(step, project, "l")) / stated;
+  if (!(share > 0.0 && share < least_share) || is_explained(step, project, operand, share)) return;
+  if (taken_in_lengths(project, path) >= least_share * stated) return;
+  found.push_back({"l", say("l is {1} times '{2}', and no bracing is stated: refer to a value that states the number "
+                            "of parts, or justify it: because.l = \"...\"",
+                            format_number(share, 4), path)});
+}
+
+/// A speed above the value of its own name, which no other step has: "n_1 = =values.n_1*values.i". At a given power the
+/// torque is less; a lower speed is that of a later stage.
+void compare_named_speed(const Step& step, const Project& project, const Operand& operand,
+                         std::vector<ReducedLoad>& found) {
+  const std::string path = std::string(of_values) + operand.path;
+  const auto& references = operand.expression.references();
+  const bool is_computed = references.size() > 1 && std::ranges::any_of(references, [&](const auto& reference) {
+                             return reference.path == path;
+                           });
+  if (!is_computed || operand.leaf.field->dimension != turning) return;
+  const double stated = magnitude_at(project, path), own = std::abs(own_value(step, project, operand.path));
+  const double ratio = own / stated;
+  if (!(ratio > 1.0 / least_share) || std::isnan(own_value(step, project, "P"))) return;
+  const auto has_it = [&](const auto& other) {
+    return std::abs(std::abs(own_value(*other, project, operand.path)) - stated) <= few_digits * stated;
+  };
+  if (std::ranges::any_of(project.steps, has_it)) return;
+  found.push_back({operand.path, say("{1} is {2} times '{3}', and no step has that speed: correct one of them, rename "
+                                     "the value, or justify it: {4} = \"...\"",
+                                     operand.path, format_number(ratio, 4), path, because_key(operand.path))});
 }
 
 }  // namespace
@@ -276,6 +340,8 @@ std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project
       compare_product(step, project, operand, found);
       compare_speed(step, project, operand, found);
       compare_size(step, project, operand, found);
+      compare_length(step, project, operand, found);
+      compare_named_speed(step, project, operand, found);
     }
     if (safer == 0 || operand.expression.is_reference() || references.size() != 1) continue;
     const std::string& path = references.front().path;

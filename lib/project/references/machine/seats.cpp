@@ -41,9 +41,15 @@ class SeatCheck {
  private:
   void add(const std::string& path, Message message) { found_.push_back({path, std::move(message)}); }
 
+  /// Whether it takes loads that may include an application factor: those of a drive, not those of a mechanism.
   [[nodiscard]] bool takes_loads() const {
     const auto& records = shaft_.input().reading.records;
-    return std::any_of(records.begin(), records.end(), [](const Taken& r) { return r.path.ends_with(".load"); });
+    return std::any_of(records.begin(), records.end(), [&](const Taken& r) {
+      if (!r.path.ends_with(".load")) return false;
+      const Step* const source = project_.find(split_step(r.source).first);
+      return source == nullptr || source->input().calculator == nullptr ||
+             find_field(source->input().calculator->input->fields, "K_A") != nullptr;
+    });
   }
 
   /// The rim of a gear may reach over its hub a little; that of a pulley often does.

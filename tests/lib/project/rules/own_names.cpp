@@ -91,6 +91,38 @@ TEST_SUITE("project: values in part") {
     CHECK(wall("=values.p").empty());
   }
 
+  TEST_CASE("teeth explain no share of a power") {
+    const std::string worm = example_of("gear.worm", "P = \"=0.5*values.P\"");  // of two threads
+    CHECK(found("[values]\nP = \"0.6 kW\"\n\n" + worm) == "P");
+    const std::string losses = example_of("gear.worm", "P = \"=0.95*values.P\"");
+    CHECK(found("[values]\nP = \"0.6 kW\"\n\n" + losses).empty());
+  }
+
+  TEST_CASE("the length of a column by a bare number") {
+    const std::string height = "[values]\nh = \"4 m\"\nn = 2\nlower = \"2 m\"\n\n";
+    const auto column = [](const std::string& l) { return example_of("column.buckling", "l = \"" + l + "\""); };
+    CHECK(found(height + column("=values.h/2")) == "l");
+    CHECK(found(height + column("=0.25*values.h")) == "l");
+    CHECK(found(height + column("=0.9*values.h")).empty());
+    CHECK(found(height + column("=values.h/values.n")).empty());
+    CHECK(found(height + column("=values.lower")).empty());
+    std::string upper = column("=values.h/2");
+    upper.replace(0, upper.find(']'), "[upper");
+    CHECK(found(height + column("=values.h/2") + upper).empty());
+  }
+
+  TEST_CASE("a computed speed under the name of another one") {
+    const std::string speeds = "[values]\nn_1 = \"1000 rpm\"\ni = 3\nslip = 0.98\n\n";
+    const auto drive = [](const std::string& n) { return example_of("chain.roller", "n_1 = \"" + n + "\""); };
+    CHECK(found(speeds + drive("=values.n_1*values.i")) == "n_1");
+    CHECK(found(speeds + drive("=values.n_1/values.i")).empty());  // of a later stage
+    CHECK(found(speeds + drive("=values.n_1*values.slip")).empty());
+    CHECK(found(speeds + drive("=values.n_1")).empty());
+    std::string first = example_of("gear.worm", "n_1 = \"=values.n_1\"");
+    first.replace(0, first.find(']'), "[first");
+    CHECK(found(speeds + drive("=values.n_1*values.i") + first).empty());
+  }
+
   TEST_CASE("a speed that is a part of another one by a bare number") {
     const std::string speed = "[values]\nn = \"1000 rpm\"\ni = 4\n\n";
     const auto bearing = [&](const std::string& n) {

@@ -95,9 +95,10 @@ class MotorCheck {
                                name, stated, here, key)});
   }
 
-  /// "n_motor", or "n", which is the speed of no shaft.
+  /// "n_motor", "n", or "n_drum" of a part of the machine, which is the speed of no shaft.
   void compare_speed(const std::string& name, double si) {
-    const bool is_speed = name == "n" || name == "n_1" || (name.starts_with("n_") && is_motor(name));
+    const bool is_speed =
+        name == "n" || name == "n_1" || (name.starts_with("n_") && (is_motor(name) || is_of_machine(name, project_)));
     const double here = std::abs(own_value(step_, project_, speed_));
     if (!is_speed || std::isnan(here) || is_speed_of_shaft(si, project_)) return;
     if (is_geared(si, here, project_)) return;

@@ -1,6 +1,8 @@
 // The words of a name of [values]: "T_start" is a torque at a start, "p_ext" an external pressure.
 #pragma once
 
+#include "lib/project/project.hpp"
+
 #include <initializer_list>
 #include <string_view>
 
@@ -14,6 +16,13 @@ bool has_only_words(std::string_view name, std::initializer_list<std::string_vie
 
 /// Whether a name means a peak: of a start, a jam, a shock.
 bool is_of_peak(std::string_view name);
+
+/// Whether the last word of a name is a part of this machine, by the names and titles of the file, or its design load:
+/// "P_fan" of a "V-belt drive of a fan", "N_Ed". Limits, capacities and other states, as "F_adm" and "T_idle", are not.
+bool is_of_machine(std::string_view name, const Project& project);
+
+/// The factors of the step, K_A and gamma_F, that a design load of this name includes: "P_design", "F_Ed"; 1 of others.
+double factors_included(std::string_view name, const Step& step, const Project& project);
 
 /// Whether a name means a vacuum or an external pressure: "p_vac", "vacuum", "p_ext".
 bool is_of_vacuum(std::string_view name);

@@ -160,7 +160,9 @@ class StatedCheck {
     double years = std::nan(""), hours = std::nan("");
     for (const auto& [name, value] : project_.values.unused()) {
       if (name == "years" && value.signature.dimension.is_number()) years = value.si.front();
-      if (value.signature.dimension == duration && has_word(name, {"day", "daily"})) hours = value.si.front();
+      if (!has_word(name, {"day", "daily"})) continue;
+      if (value.signature.dimension == duration) hours = value.si.front();
+      if (value.signature.dimension.is_number() && has_word(name, {"hours", "h"})) hours = 3600.0 * value.si.front();
     }
     const double life = years * days * hours;
     if (std::isnan(life)) return;
@@ -257,8 +259,11 @@ class StatedCheck {
                                        : most_of_steel;
     const bool is_temperature = name.starts_with("t_") || name.starts_with("T_") || name.starts_with("theta_");
     const bool is_of_part =
-        (is_temperature && has_word(name, {"service", "operating", "operation", "work", "working", "design", "max",
-                                           "wall", "metal", "part", "medium", "steam", "fire", "oven"})) ||
+        (is_temperature &&
+         has_word(name, {"service", "operating", "operation", "work",    "working", "design", "max", "wall",  "metal",
+                         "part",    "medium",    "steam",     "fire",    "oven",    "air",    "gas", "fluid", "flue",
+                         "exhaust", "product",   "process",   "surface", "hot",     "d",      "op"})) ||
+        (is_temperature && is_of_machine(name, project_)) ||
         ((key == "T_G" || key == "C" || is_worm()) && has_word(name, {"oil", "sump"})) ||
         has_word(name, {"ambient", "temperature"}) || has_only_words(name, {"t", "theta"});
     if (!(stated.si > most) || !is_of_part || has_word(name, {"join", "joining", "temper", "tempering"})) return;

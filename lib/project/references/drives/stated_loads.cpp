@@ -47,7 +47,9 @@ std::string load_of(const Step& step, const Project& project) {
 }
 
 double torque_of(const Step& step, const Project& project, const std::string& side) {
-  const double T = known(step, project, "T_" + side), P = std::abs(own_value(step, project, "P"));
+  double T = known(step, project, "T_" + side);
+  if (side == "2") T = std::fmax(T, std::abs(magnitude_at(project, step.name() + ".T_out")));  // of a train
+  const double P = std::abs(own_value(step, project, "P"));
   return std::isnan(T) ? P / known(step, project, "n_" + side) : T;
 }
 
@@ -60,15 +62,21 @@ double power_of(const Step& step, const Project& project) {
   return most;
 }
 
+/// "P_start", or "P_fan" of the machine that is driven.
+bool is_of_peak_or_part(const std::string& name, const Project& project) {
+  return is_of_peak(name) || is_of_machine(name, project);
+}
+
 /// The load of the step that a name of [values] means; NaN if it means none.
 double meant_load(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
-  const bool is_peak = is_of_peak(name);
+  const bool is_peak = is_of_peak_or_part(name, project);
   if (dimension == of_power && (name == "P" || name == "P_1" || (is_peak && name.starts_with("P_"))))
     return power_of(step, project);
   if (dimension == of_torque && (name == "T_1" || name == "T_2")) return torque_of(step, project, name.substr(2));
   if (dimension == of_torque && (name == "T" || (is_peak && name.starts_with("T_"))))
     return std::fmax(torque_of(step, project, "1"), torque_of(step, project, "2"));
-  if (dimension == of_force && name == "F_t") return std::abs(magnitude_at(project, step.name() + ".F_t"));
+  if (dimension == of_force && (name == "F_t" || (is_of_peak(name) && name.starts_with("F_"))))
+    return std::abs(magnitude_at(project, step.name() + ".F_t"));
   return std::nan("");
 }
 
@@ -76,7 +84,7 @@ double meant_load(const Step& step, const Project& project, const std::string& n
 bool is_under_own_name(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
   if (!std::isnan(own_value(step, project, name))) return true;
   const std::string load = load_of(step, project);
-  return is_of_peak(name) && (dimension == of_power) == (load == "P");
+  return is_of_peak_or_part(name, project) && (dimension == of_power) == (load == "P");
 }
 
 }  // namespace
@@ -89,8 +97,9 @@ std::vector<ReducedLoad> loads_stated_otherwise(const Step& step, const Project&
   for (const auto& [name, value] : project.values.unused()) {
     const Dimension dimension = value.signature.dimension;
     if (project.values.kind(name) == Meant::work || is_under_own_name(step, project, name, dimension)) continue;
+    const double factors = factors_included(name, step, project);
     const double si = std::abs(value.si.front()), own = meant_load(step, project, name, dimension);
-    if (!(si > (1.0 + rounded) * own) || si > implausible_ratio * own) continue;
+    if (!(si > (1.0 + rounded) * factors * own) || si > implausible_ratio * own) continue;
     bool is_carried = false;  // by another drive of the file
     for (const auto& other : project.steps) {
       if (other.get() == &step || !is_drive(*other)) continue;

@@ -18,14 +18,42 @@ namespace {
 constexpr double implausible_ratio =
     50.0;  // times the load of the step: beyond, it is another quantity of the same dimension
 
+/// Of forces of bars and pins, F, N and P: "N_Ed" next to F.
+bool is_same_letter(char a, char b) {
+  constexpr std::string_view forces = "FNP";
+  return a == b || (forces.find(a) != std::string_view::npos && forces.find(b) != std::string_view::npos);
+}
+
+/// The part of a key in front of an index: "M_y" of "M_y_1".
+std::string_view stem_of_key(std::string_view key) {
+  const std::size_t end = key.rfind('_');
+  return end != std::string_view::npos && end + 2 == key.size() && key[end + 1] >= '0' && key[end + 1] <= '9'
+             ? key.substr(0, end)
+             : key;
+}
+
+/// The longest symbol of a given load that a name begins with: "M_z" of "M_z_max"; empty if it has none.
+std::string_view symbol_in(const std::string& name, const Record& record) {
+  std::string_view longest;
+  for (const FieldInfo& field : record.type->fields) {
+    const std::string_view stem = stem_of_key(field.key);
+    if (field.is_load && field.is_number() && stem.size() > longest.size() && name.size() > stem.size() + 1 &&
+        name.starts_with(stem) && name[stem.size()] == '_' && !std::isnan(find_leaf(record, field.key).get()))
+      longest = stem;
+  }
+  return longest;
+}
+
 /// Whether a value of [values] is named as such a load, or as one of a start, a jam or a test, or the design pressure
-/// of a vessel: "F_r", "T_start", "F_max" of T and F; other names may be notes.
-bool is_named_as_peak(const std::string& name, const std::string& symbol) {
+/// of a vessel, or the load of a part of the machine: "F_r", "T_start", "F_max", "F_Ed", "T_fan" of T and F; other
+/// names may be notes.
+bool is_named_as_peak(const std::string& name, const std::string& symbol, const Project& project) {
   const std::size_t end = name.rfind('_');
   if (end == std::string::npos || name == symbol) return name == symbol;
   const std::string index = name.substr(end + 1);
-  return name[0] == symbol[0] &&
-         (is_of_peak(index) || index == "test" || index == "t" || (symbol == "p" && index == "design"));
+  if (symbol[0] == 'q' && name[0] == 'q' && has_word(index, {"wind", "snow", "live"})) return true;
+  return is_same_letter(name[0], symbol[0]) && (is_of_peak(index) || index == "test" || index == "t" ||
+                                                (symbol == "p" ? index == "design" : is_of_machine(name, project)));
 }
 
 /// A stress is not a load that another one of [values] could be meant for: that may be a strength.
@@ -63,11 +91,32 @@ bool is_peak_of_source(const Step& step, const std::string& path, const std::str
          });
 }
 
+/// Whether a step has such a load, or a drive such a torque: the load of a part of the machine is meant for that one.
+bool is_carried(const Project& project, const std::string& name, double si, const Dimension& dimension) {
+  constexpr double rounded = 0.98;
+  return std::ranges::any_of(project.steps, [&](const auto& step) {
+    if (step->input().calculator == nullptr || step->input().reading.record.data == nullptr) return false;
+    bool found = false;
+    const double factors = factors_included(name, *step, project);
+    for_each_leaf(step->input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+      const bool is_such = is_comparable(*leaf.field) && leaf.field->dimension == dimension;
+      found = found || (is_such && load_at(*step, project, path) * factors >= rounded * si);
+    });
+    if (found || !(dimension == Dimension::of(2, 1, -2))) return found;
+    constexpr std::array torques{".T_1", ".T_2", ".T_out"};
+    return std::ranges::any_of(torques, [&](const char* key) {
+      return std::abs(magnitude_at(project, step->name() + key)) * factors >= rounded * si;
+    });
+  });
+}
+
 LargestLoad largest_load(const Step& step, const Project& project, const std::string& name,
                          const Dimension& dimension) {
   LargestLoad largest;
+  const std::string_view symbol = symbol_in(name, step.input().reading.record);
   for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-    const bool is_meant = is_named_as_peak(name, leaf.field->key) || is_peak_of_source(step, path, name);
+    const bool is_meant = is_named_as_peak(name, leaf.field->key, project) || is_peak_of_source(step, path, name);
+    if (!symbol.empty() && stem_of_key(leaf.field->key) != symbol) return;
     if (!is_comparable(*leaf.field) || !is_meant || !(leaf.field->dimension == dimension)) return;
     const double si = load_at(step, project, path);
     if (si > largest.si) largest = {path, si, leaf.field->unit};
@@ -112,8 +161,8 @@ bool is_component(std::string_view name) {
 
 /// Bending of a bar that is assessed in compression only.
 bool bends_a_bar(std::string_view name, const Dimension& dimension) {
-  constexpr std::array<std::string_view, 10> names{"M_b", "M_y", "M_z", "M_y_1", "M_z_1",
-                                                   "q_y", "q_z", "F_y", "F_z",   "q"};
+  constexpr std::array<std::string_view, 13> names{"M_b", "M_y", "M_z", "M_y_1", "M_z_1", "q_y", "q_z",
+                                                   "F_y", "F_z", "q",   "H",     "F_H",   "V"};
   const bool is_named = std::ranges::find(names, name) != names.end() || name.starts_with("q_");
   return is_named && (dimension == Dimension::of(2, 1, -2) || dimension == Dimension::of(1, 1, -2) ||
                       dimension == Dimension::of(0, 1, -2));
@@ -145,6 +194,33 @@ void compare_component(const Step& step, const Project& project, const std::stri
   found.push_back({name, say("values.{1} = {2} acts on no step, and {1} is not given here: refer to it, delete it, or "
                              "justify it: because.{1} = \"...\"",
                              name, format_quantity(si, field->unit, 4))});
+}
+
+/// "thrust", "F_ax_fan": forces along the axis by their words.
+bool is_axial(const std::string& name, const Dimension& dimension) {
+  return dimension == Dimension::of(1, 1, -2) && has_word(name, {"thrust", "axial", "ax"}) &&
+         !has_word(name, {"adm", "lim", "max", "capacity", "rated", "zul", "perm"});
+}
+
+/// The largest axial force that a shaft or a bearing of the file is given.
+double axial_force(const Step& shaft, const Project& project) {
+  double most = 0.0;
+  for_each_leaf(shaft.input().reading.record, [&](const std::string& path, const Leaf&) {
+    if (path.starts_with("seats") && path.ends_with(".F_z")) most = std::fmax(most, load_at(shaft, project, path));
+  });
+  for (const auto& other : project.steps) most = std::fmax(most, std::abs(own_value(*other, project, "F_a")));
+  return most * (1.0 + 1e-3);
+}
+
+/// An axial force above those that the mounted components of a shaft have.
+void compare_axial(const Step& step, const Project& project, const std::string& name, const Value& value,
+                   std::vector<ReducedLoad>& found) {
+  const double si = std::abs(value.si.front());
+  if (id_of(step) != "shaft.design" || !is_axial(name, value.signature.dimension) || si <= axial_force(step, project))
+    return;
+  found.push_back({"seats", say("values.{1} acts on no step, and no mounted component has this axial force: refer to "
+                                "it, delete it, or justify it: because.seats = \"...\"",
+                                name)});
 }
 
 /// A bending load next to a bar in compression, or a component that no mounted part of a shaft has.
@@ -187,9 +263,12 @@ std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project
     const LargestLoad own = largest_load(step, project, name, value.signature.dimension);
     if (project.values.kind(name) == Meant::work) continue;
     if (std::abs(own_value(step, project, name)) >= si) continue;  // it has the value under its own name
+    compare_axial(step, project, name, value, found);
     if (own.path.empty()) compare_bending(step, project, name, value, found);
     if (own.path.empty() && is_component(name)) compare_component(step, project, name, value, found);
     if (own.path.empty() || !(si > own.si) || si > implausible_ratio * own.si) continue;
+    const bool is_of_part = !is_of_peak(name) && name != own.path && is_of_machine(name, project);
+    if (is_of_part && is_carried(project, name, si, value.signature.dimension)) continue;
     const std::string key = own.path.substr(0, own.path.find_first_of(".["));
     found.push_back(
         {key, say("values.{1} = {2} acts on no step, and {3} is {4}: refer to it, delete it, or justify it: "

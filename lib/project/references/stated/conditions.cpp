@@ -37,7 +37,7 @@ class Conditions {
       const double si = value.si.front();
       if (dimension.is_number()) compare_number(name, si);
       if (dimension.without_angle() == rate) compare_overspeed(name, std::abs(si));
-      if (dimension == length && si != 0.0) compare_opening(name), compare_level(name);
+      if (dimension == length && si != 0.0) compare_opening(name), compare_level(name, si);
       if (dimension == pressure) compare_residual(name, si);
       if (dimension == heat) compare_cold(name, si), compare_heating(name, si);
       if (dimension == pressure) compare_limit_of_pressure(name, std::abs(si));
@@ -227,7 +227,9 @@ class Conditions {
 
   /// Repetitions of a history under another word.
   void compare_passages(const std::string& name, double si) {
-    if (field("n_req") == nullptr || !has_word(name, {"passages", "passes", "starts", "trips"})) return;
+    if (field("n_req") == nullptr ||
+        !has_word(name, {"passages", "passes", "starts", "trips", "blocks", "repeats", "missions"}))
+      return;
     if (si > (1.0 + in_few_digits) * own("n_req")) add_number(name, si, "n_req", own("n_req"));
   }
 
@@ -253,7 +255,7 @@ class Conditions {
   void compare_overspeed(const std::string& name, double si) {
     constexpr double most = 3.0;
     const bool is_most = name == "n_max" && (id_ == "machine.disc" || id_ == "shaft.press_fit");
-    if (!(is_most || has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin"})) ||
+    if (!(is_most || has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin", "top"})) ||
         field("n") == nullptr)
       return;
     const auto has_it = [&](const auto& one) { return std::abs(own_value(*one, project_, "n")) >= si * (1.0 - 1e-3); };
@@ -264,17 +266,25 @@ class Conditions {
                  name, format_quantity(si, "rpm", 5), format_quantity(here, "rpm", 5)));
   }
 
-  /// The density and the level of a liquid, next to a wall that holds none.
-  void compare_level(const std::string& name) {
+  /// A level above that of the step; the density and the level of a liquid, next to a wall that holds none.
+  void compare_level(const std::string& name, double si) {
     const bool is_level =
         name == "H" || name == "h" || has_word(name, {"level", "height", "fill", "filling", "liquid"});
     constexpr double lightest = 300.0, heaviest = 3000.0;  // kg/m^3, of liquids and suspensions
     const bool has_density = std::ranges::any_of(project_.values.unused(), [](const auto& entry) {
-      const double si = entry.second.si.front();
-      return entry.second.signature.dimension == Dimension::of(-3, 1, 0) && si > lightest && si < heaviest;
+      const double of_other = entry.second.si.front();
+      return entry.second.signature.dimension == Dimension::of(-3, 1, 0) && of_other > lightest && of_other < heaviest;
     });
     const bool is_held =
         std::ranges::any_of(project_.steps, [&](const auto& one) { return own_value(*one, project_, "h_l") > 0.0; });
+    const double h_l = own("h_l");
+    const bool is_of_liquid =
+        has_word(name, {"level", "fill", "filling", "liquid"}) || has_only_words(name, {"h", "max"});
+    const bool is_higher = is_of_liquid && name != "h" && name != "H" && si > (1.0 + in_few_digits) * h_l;
+    if (is_higher)
+      add("h_l", say("values.{1} = {2} acts on no step, and h_l is {3}: refer to it, delete it, or justify it: "
+                     "because.h_l = \"...\"",
+                     name, format_quantity(si, "m", 4), format_quantity(h_l, "m", 4)));
     if (!is_level || !has_density || field("h_l") == nullptr || is_held) return;
     add("p", say("values.{1} and a density act on no step: give rho and h_l, delete them, or justify it: because.p = "
                  "\"...\"",

@@ -1,5 +1,6 @@
 #include "lib/project/references/stated/results.hpp"
 
+#include "lib/project/references/agreement/stated_names.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/references/stated/dimensions.hpp"
 #include "lib/quantity/format.hpp"
@@ -100,7 +101,8 @@ class Results {
       const bool is_input = field_of(step_, name, false) != nullptr && !is_of_rotation(dimension) && name != "i";
       if (si == 0.0 || is_input) continue;  // compared as an input
       compare_result(name, si, dimension);
-      if (is_of_rotation(dimension) && (name == "n" || name == "omega")) compare_speed(name, si);
+      const bool is_speed = has_only_words(name, {"n", "omega", "speed", "strokes", "spm"});
+      if (is_of_rotation(dimension) && is_speed) compare_speed(name, si);
       if (is_comparable(dimension)) compare_limit(name, si, dimension);
     }
     return std::move(found_);

@@ -212,7 +212,10 @@ TEST_SUITE("project: conditions of service") {
                   {"H = \"12 m\"\nrho = \"3000 kg/m^3\"", ""},
                   {"H = \"12 m\"\nrho = \"7850 kg/m^3\"", ""},
                   {"H = \"12 m\"\nrho = 1000", ""}});
-    check(shell + "h_l = \"2 m\"\nrho = \"1000 kg/m^3\"\n", {{water + "H = \"12 m\"", ""}});
+    check(shell + "h_l = \"2 m\"\nrho = \"1000 kg/m^3\"\n", {{water + "H = \"12 m\"", ""},
+                                                             {"h_max = \"3 m\"", "h_l"},
+                                                             {"h_max = \"2 m\"", ""},
+                                                             {"liquid_level = \"3 m\"", "h_l"}});
     check(column, {{water + "H = \"12 m\"", ""}});
   }
 

@@ -35,7 +35,12 @@ TEST_SUITE("project: loads left out") {
                   {"T = \"15000 N*m\"", "T"},
                   {"T = \"15100 N*m\"", ""},
                   {"T_idle = \"400 N*m\"", ""},
-                  {"T_design = \"400 N*m\"", ""},
+                  {"T_design = \"400 N*m\"", "T"},
+                  {"T_drum = \"400 N*m\"", "T"},
+                  {"T_drum = \"300 N*m\"", ""},
+                  {"T_drum_adm = \"400 N*m\"", ""},
+                  {"T_motor = \"400 N*m\"", ""},
+                  {"T_gate = \"400 N*m\"", ""},
                   {"T_start = \"400 N\"", ""},
                   {"T_start = 400", ""},
                   {"T_start = \"400 J\"", ""},
@@ -43,7 +48,22 @@ TEST_SUITE("project: loads left out") {
     check(shell, {{"p_design = \"1.2 MPa\"", "p"}, {"p_max = \"1.2 MPa\"", "p"}, {"p_fill = \"1.2 MPa\"", ""}});
     check(bearing, {{"F_max = \"7 kN\"", "F_r"}, {"F_r = \"7 kN\"", "F_r"}, {"F_r_max = \"7 kN\"", "F_r"}});
     check(example_of("fatigue.life"), {{"sigma_max = \"900 MPa\"", ""}, {"sigma_test = \"900 MPa\"", ""}});
+    check("[gate]" + shaft.substr(3), {{"T_gate = \"400 N*m\"", "T"}, {"T_gate_idle = \"400 N*m\"", ""}});
+    const std::string pin = example_of("pin.en1993", "gamma_F = 1.4");  // F = 150 kN
+    check(pin, {{"F_Ed = \"210 kN\"", ""}, {"F_Ed = \"220 kN\"", "F"}, {"N_total = \"220 kN\"", "F"}});
+    const std::string bar = example_of("column.beam_column");
+    check(bar, {{"M_z_max = \"25 kN*m\"", "M_z"},
+                {"M_y_max = \"55 kN*m\"", ""},
+                {"M_y_max = \"65 kN*m\"", "M_y_1"},
+                {"N_Ed = \"-700 kN\"", "P"},
+                {"N_Ed = \"-600 kN\"", ""},
+                {"F_max = \"700 kN\"", "P"}});
+    check(with_lines(bar, "q_z = \"2 kN/m\""), {{"q_wind = \"3 kN/m\"", "q_z"}, {"q_snow = \"2 kN/m\"", ""}});
     const std::string design = example_of("shaft.design");
+    check(design, {{"F_thrust = \"400 N\"", "seats"},
+                   {"F_thrust = \"250 N\"", ""},
+                   {"F_ax_fan = \"400 N\"", "seats"},
+                   {"F_ax_adm = \"400 N\"", ""}});
     check(design, {{"T_start = \"900 N*m\"", "seats"}});
   }
 

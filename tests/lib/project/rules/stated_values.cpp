@@ -132,9 +132,10 @@ TEST_SUITE("project: values stated only") {
 
 TEST_SUITE("project: temperatures stated only") {
   TEST_CASE("a temperature of the part, by its words") {
-    for (const std::string name : {"t_service", "T_operating", "theta_operation", "T_work", "t_working", "T_design",
-                                   "T_max", "T_wall", "T_metal", "T_part", "T_medium", "T_steam", "T_fire", "T_oven",
-                                   "ambient", "temperature", "t", "theta", "T_theta"})
+    for (const std::string name :
+         {"t_service", "T_operating", "theta_operation", "T_work",  "t_working",   "T_design", "T_max", "T_wall",
+          "T_metal",   "T_part",      "T_medium",        "T_steam", "T_fire",      "T_oven",   "T_air", "t_gas",
+          "t_d",       "T_process",   "T_product",       "ambient", "temperature", "t",        "theta", "T_theta"})
       check(shell, {{name + " = \"150 degC\"", "sigma_adm"}, {name + " = \"99 degC\"", ""}, {name + " = 500", ""}});
     for (const std::string name :
          {"service", "oven", "T_join", "T_joining_max", "T_temper_max", "T_tempering_max", "T_store", "T_oil"})

@@ -5,6 +5,7 @@
 #include "lib/project/references/stated/dimensions.hpp"
 #include "lib/quantity/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <string>
@@ -17,6 +18,8 @@ namespace {
 using stated::in_few_digits;
 using stated::length;
 
+constexpr double of_lengths = 0.02;  // of values with few digits
+
 const Dimension bending_moment = Dimension::of(2, 1, -2);
 
 /// The largest of some inputs; 0 if it has none of them.
@@ -28,6 +31,38 @@ double largest_of(const Step& step, const Project& project, std::initializer_lis
 
 bool is_eccentricity(const std::string& name) {
   return name == "e" || name == "e_0" || name == "ecc" || has_word(name, {"eccentricity"});
+}
+
+/// "l_eff", "L_cr": a length with its effective length factor.
+bool is_effective_length(const std::string& name) {
+  return has_word(name.substr(0, name.find('_')), {"l", "s"}) &&
+         has_only_words(name, {"l", "s", "0", "k", "eff", "cr", "e", "fl", "ky", "kz"}) && name.size() > 1;
+}
+
+/// "L", "height": a length of the bar.
+bool is_length_of_bar(const std::string& name) {
+  return has_only_words(name, {"l", "height", "length", "span", "clear", "column", "total"}) && name != "total";
+}
+
+/// The largest effective length factor, typed, found or, before the step is solved, by the free end.
+double largest_factor(const Step& step, const Project& project) {
+  constexpr double of_free_end = 2.0;
+  double most = std::nan("");
+  for (const char* const key : {"beta_y", "beta_z"}) {
+    const double typed = own_value(step, project, key);
+    most = std::fmax(most, std::isnan(typed) ? magnitude_at(project, step.name() + "." + key) : typed);
+  }
+  if (!std::isnan(most)) return most;
+  const Leaf ends = find_leaf(step.input().reading.record, "ends");
+  const bool is_choice = ends && ends.field->type == FieldInfo::Type::choice && !std::isnan(ends.get());
+  return is_choice && word_of(ends).ends_with("_free") ? of_free_end : 1.0;
+}
+
+/// Whether another bar of the file has this length.
+bool is_length_of_other(const Step& step, const Project& project, double si) {
+  return std::ranges::any_of(project.steps, [&](const auto& other) {
+    return other.get() != &step && std::abs(own_value(*other, project, "l")) >= (1.0 - in_few_digits) * si;
+  });
 }
 
 bool is_bending_moment(const std::string& name) {
@@ -53,6 +88,16 @@ std::vector<ReducedLoad> columns_stated_otherwise(const Step& step, const Projec
       found.push_back({"P", say("values.{1} is not used by any step: include it in a load, delete it, or justify it: "
                                 "because.P = \"...\"",
                                 name)});
+    const double beta = largest_factor(step, project);
+    const double least = is_effective_length(name) ? beta * l : is_length_of_bar(name) ? l : std::nan("");
+    if (dimension == length && si > (1.0 + of_lengths) * least && !is_length_of_other(step, project, si))
+      found.push_back({"l", say("values.{1} = {2} acts on no step, and this bar has {3}: refer to it, delete it, or "
+                                "justify it: because.l = \"...\"",
+                                name, format_quantity(si, "mm", 5), format_quantity(least, "mm", 5))});
+    if (dimension.is_number() && (name == "beta" || name == "K") && si > (1.0 + of_lengths) * beta)
+      found.push_back({"l", say("values.{1} = {2} acts on no step, and the effective length factor is {3}: refer to "
+                                "it, delete it, or justify it: because.l = \"...\"",
+                                name, format_number(si, 4), format_number(beta, 4))});
     if (dimension == length && has_word(name, {"stroke"}) && si > (1.0 + in_few_digits) * l)
       found.push_back({"l", say("values.{1} = {2} acts on no step, and l is {3}: refer to it, delete it, or justify "
                                 "it: because.l = \"...\"",

@@ -94,7 +94,8 @@ class OwnInputs {
 
   void compare(const std::string& name, double stated, const Dimension& dimension) {
     const FieldInfo* const field = input_of(step_, name);
-    if (field == nullptr || !is_compared(*field, name, dimension) || is_taken_elsewhere(name, stated)) return;
+    if (field == nullptr) return compare_symbol(name, stated, dimension);
+    if (!is_compared(*field, name, dimension) || is_taken_elsewhere(name, stated)) return;
     const double here = known(step_, project_, name);
     if (name == "L_h" && std::isnan(here) && !std::isnan(known(step_, project_, "N"))) return;  // a life in cycles
     if (std::isnan(here)) {
@@ -107,6 +108,25 @@ class OwnInputs {
     if (is_spur || is_equal(here, stated) || is_safe(name, here, stated) || is_one_of_many) return;
     if (is_same_or_foreign(name, dimension, here, stated)) return;
     add(*field, stated, say("is {1} here", shown(*field, here)));
+  }
+
+  /// A size under the symbol of another standard, or of one of two parts: the module m, the widths b_1 and b_2 of
+  /// gears, the plates t of a pin. The narrower of two gears carries.
+  void compare_symbol(const std::string& name, double stated, const Dimension& dimension) {
+    const std::string_view id = step_.input().calculator->id;
+    const bool is_gear = id == "gear.pair" || id == "gear.rating" || id == "gear.bevel" || id == "gear.worm";
+    if (!(dimension == length) || !(is_gear || id == "pin.en1993")) return;
+    const bool is_width = is_gear && (name == "b_1" || name == "b_2");
+    for (const auto& [symbol, key] :
+         {std::pair{"m", "m_n"}, {"m", "m_x"}, {"m", "m_et"}, {"b_1", "b"}, {"b_2", "b"}, {"t", "t_1"}}) {
+      const FieldInfo* const field = name == symbol ? input_of(step_, key) : nullptr;
+      const double here = field == nullptr ? std::nan("") : known(step_, project_, key);
+      if (std::isnan(here) || is_equal(here, stated) || (is_width && stated > here)) continue;
+      if (!is_taken_elsewhere(key, stated))
+        found_.push_back({key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or "
+                                   "justify it: because.{3} = \"...\"",
+                                   name, shown(*field, stated), key, shown(*field, here))});
+    }
   }
 
   /// Whether a value that the step does not have changes its assessment: a requirement, an eccentricity, the level of a

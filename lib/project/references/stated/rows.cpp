@@ -37,6 +37,7 @@ class RowCheck {
 
   std::vector<ReducedLoad> run() {
     const Record& record = step_.input().reading.record;
+    compare_step();
     for (const FieldInfo& list : record.type->fields) {
       if (list.type != FieldInfo::Type::list) continue;
       for (std::size_t i = 0; i < list.size(record.data.get()); ++i) {
@@ -48,6 +49,16 @@ class RowCheck {
   }
 
  private:
+  /// Sizes, masses and loads of the step by its name: "d_pin" next to [pin].
+  void compare_step() {
+    for (const FieldInfo& field : step_.input().calculator->input->fields) {
+      const Dimension& dimension = field.dimension;
+      const bool is_of_part = field.is_load || dimension == stated::length || dimension == mass || dimension == inertia;
+      if (field.is_number() && !dimension.is_number() && is_of_part)
+        compare(field.key, std::string(field.key) + "_" + step_.name(), field);
+    }
+  }
+
   void compare_row(const FieldInfo& list, const std::string& row) {
     const std::string at = std::string(list.key) + "." + row + ".";
     for (const FieldInfo& field : list.fields) {

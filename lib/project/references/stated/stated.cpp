@@ -2,8 +2,10 @@
 
 #include "lib/project/references/stated/columns.hpp"
 #include "lib/project/references/stated/conditions.hpp"
+#include "lib/project/references/stated/mates.hpp"
 #include "lib/project/references/stated/moving_bodies.hpp"
 #include "lib/project/references/stated/own_inputs.hpp"
+#include "lib/project/references/stated/requirements.hpp"
 #include "lib/project/references/stated/results.hpp"
 #include "lib/project/references/stated/rows.hpp"
 
@@ -14,7 +16,8 @@ std::vector<ReducedLoad> values_not_taken(const Step& step, const Project& proje
   std::vector<ReducedLoad> all;
   for (const auto& found : {inputs_stated_otherwise(step, project), conditions_stated_only(step, project),
                             bodies_stated_only(step, project), columns_stated_otherwise(step, project),
-                            results_stated_otherwise(step, project), rows_stated_otherwise(step, project)})
+                            results_stated_otherwise(step, project), mates_stated_otherwise(step, project),
+                            requirements_stated_otherwise(step, project), rows_stated_otherwise(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

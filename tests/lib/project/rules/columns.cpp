@@ -47,6 +47,19 @@ TEST_SUITE("project: columns stated otherwise") {
                  {"travel = \"2.5 m\"", ""}});
   }
 
+  TEST_CASE("a length of the bar, or its effective length, above that of the column") {
+    for (const std::string name : {"L", "height", "length", "clear_height", "l_0", "L_cr", "l_eff", "s_k"})
+      check(post, {{name + " = \"3 m\"", "l"}, {name + " = \"2 m\"", ""}, {name + " = \"1.5 m\"", ""}});
+    check(post, {{"height_building = \"12 m\"", ""}, {"l_beam = \"6 m\"", ""}, {"l_0 = 3", ""}});
+    check(post, {{"beta = 2", "l"}, {"K = 2", "l"}, {"beta = 1", ""}, {"beta = 0.7", ""}, {"k = 2", ""}});
+    std::string cantilever = post;
+    cantilever.replace(cantilever.find("pinned_pinned"), 13, "fixed_free");
+    check(cantilever, {{"L_cr = \"4 m\"", ""}, {"L_cr = \"5 m\"", "l"}, {"beta = 2", ""}});
+    std::string longer = "\n[other]" + post.substr(6);
+    longer.replace(longer.find("2 m"), 3, "3 m");
+    check(post + longer, {{"L = \"3 m\"", ""}});
+  }
+
   TEST_CASE("only a column with a load is compared") {
     const std::string values = "e = \"40 mm\"\nM = \"5 kN*m\"\nstroke = \"90 m\"";
     check(example_of("shaft.torsion"), {{values, ""}});

@@ -99,7 +99,8 @@ bool is_carried(const Project& project, const std::string& name, double si, cons
     bool found = false;
     const double factors = factors_included(name, *step, project);
     for_each_leaf(step->input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-      const bool is_such = is_comparable(*leaf.field) && leaf.field->dimension == dimension;
+      const bool is_peak = std::string_view(leaf.field->key).ends_with("_max");
+      const bool is_such = is_comparable(*leaf.field) && !is_peak && leaf.field->dimension == dimension;
       found = found || (is_such && load_at(*step, project, path) * factors >= rounded * si);
     });
     if (found || !(dimension == Dimension::of(2, 1, -2))) return found;
@@ -163,7 +164,8 @@ bool is_component(std::string_view name) {
 bool bends_a_bar(std::string_view name, const Dimension& dimension) {
   constexpr std::array<std::string_view, 13> names{"M_b", "M_y", "M_z", "M_y_1", "M_z_1", "q_y", "q_z",
                                                    "F_y", "F_z", "q",   "H",     "F_H",   "V"};
-  const bool is_named = std::ranges::find(names, name) != names.end() || name.starts_with("q_");
+  const bool is_named =
+      std::ranges::find(names, name) != names.end() || name.starts_with("q_") || name.starts_with("H_");
   return is_named && (dimension == Dimension::of(2, 1, -2) || dimension == Dimension::of(1, 1, -2) ||
                       dimension == Dimension::of(0, 1, -2));
 }
@@ -212,6 +214,19 @@ double axial_force(const Step& shaft, const Project& project) {
   return most * (1.0 + 1e-3);
 }
 
+/// Whether a mounted component has a force of this size, or a step finds it under this name.
+bool is_on_shaft(const Step& shaft, const Project& project, const std::string& name, double si) {
+  constexpr double rounded = 0.98;
+  bool found = false;
+  for_each_leaf(shaft.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+    const bool is_force = leaf.field->dimension == Dimension::of(1, 1, -2);
+    found = found || (path.starts_with("seats") && is_force && load_at(shaft, project, path) >= rounded * si);
+  });
+  return found || std::ranges::any_of(project.steps, [&](const auto& other) {
+           return std::abs(magnitude_at(project, other->name() + "." + name)) >= rounded * si;
+         });
+}
+
 /// An axial force above those that the mounted components of a shaft have.
 void compare_axial(const Step& step, const Project& project, const std::string& name, const Value& value,
                    std::vector<ReducedLoad>& found) {
@@ -239,7 +254,9 @@ void compare_bending(const Step& step, const Project& project, const std::string
     return found.push_back({load, say("values.{1} acts on no step, and bending is not assessed here: replace this with "
                                       "a step of column.beam_column, or because.{2} = \"...\"",
                                       name, load)});
-  const bool is_force = dimension == Dimension::of(1, 1, -2) && (name == "F_x" || name == "F_y" || name == "F_z");
+  const bool is_along_axis = name == "F_x" || name == "F_y" || name == "F_z";
+  const bool is_of_tooth = (name == "F_r" || name == "F_t") && !is_on_shaft(step, project, name, si);
+  const bool is_force = dimension == Dimension::of(1, 1, -2) && (is_along_axis || is_of_tooth);
   const bool is_moment = dimension == Dimension::of(2, 1, -2) && name == "M_b";
   if (id == "shaft.design" && (is_force || is_moment))
     found.push_back(

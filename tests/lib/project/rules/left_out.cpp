@@ -63,7 +63,11 @@ TEST_SUITE("project: loads left out") {
     check(design, {{"F_thrust = \"400 N\"", "seats"},
                    {"F_thrust = \"250 N\"", ""},
                    {"F_ax_fan = \"400 N\"", "seats"},
-                   {"F_ax_adm = \"400 N\"", ""}});
+                   {"F_ax_adm = \"400 N\"", ""},
+                   {"F_r = \"2 kN\"", "seats"},
+                   {"F_r = \"600 N\"", ""},
+                   {"F_t = \"1429 N\"", ""}});
+    check(example_of("column.buckling"), {{"H_crane = \"20 kN\"", "P"}, {"H_crane = \"20 mm\"", ""}});
     check(design, {{"T_start = \"900 N*m\"", "seats"}});
   }
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace loadpath::account {
 
@@ -80,12 +82,17 @@ Modes strictly(Modes modes) {
 }
 
 Modes in_order(Modes modes) {
-  std::stable_sort(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) {
-    if (a.state != b.state) return place(a.state) < place(b.state);
-    if (is_outside(a) != is_outside(b)) return is_outside(b);
-    return numerics::exceeds(a.utilisation.value_or(-1.0), b.utilisation.value_or(-1.0));
+  std::vector<Mode*> order;  // a mode is too large to be moved again and again
+  for (Mode& mode : modes) order.push_back(&mode);
+  std::stable_sort(order.begin(), order.end(), [](const Mode* a, const Mode* b) {
+    if (a->state != b->state) return place(a->state) < place(b->state);
+    if (is_outside(*a) != is_outside(*b)) return is_outside(*b);
+    return numerics::exceeds(a->utilisation.value_or(-1.0), b->utilisation.value_or(-1.0));
   });
-  return modes;
+  Modes sorted;
+  sorted.reserve(modes.size());
+  for (Mode* const mode : order) sorted.push_back(std::move(*mode));
+  return sorted;
 }
 
 Message shown(const Mode& mode) { return is_outside(mode) ? say("outside the scope") : shown(mode.state); }

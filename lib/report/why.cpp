@@ -7,6 +7,9 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace loadpath::report {
 
@@ -79,11 +82,14 @@ class Elements {
 /// Traces names from a line back to the lines and inputs that they come from.
 class Tracing {
  public:
-  explicit Tracing(const Account& account) : account_(account) {}
+  explicit Tracing(const Account& account) : account_(account) {
+    for (std::size_t i = account.derivation.size(); i-- > 0;)
+      last_first_[account.derivation[i].step.symbol].push_back(i);
+  }
 
   /// Whether a line gives the value at the path.
-  bool add(const std::string& path) {
-    for (std::size_t i = account_.derivation.size(); i-- > 0;) {
+  bool add(std::string_view path) {
+    for (const std::size_t i : lines_of(path.substr(path.rfind('.') + 1))) {
       const Derived& line = account_.derivation[i];
       if (!is_path(path, line.scope, line.step.symbol) && !is_path(path, line.element, line.step.symbol)) continue;
       follow(i);
@@ -129,9 +135,9 @@ class Tracing {
     const account::Step& taken = account_.derivation[i].step;
     for (std::size_t k = i; k-- > 0;) {
       const account::Step& other = account_.derivation[k].step;
+      if (std::abs(other.value.si) != std::abs(taken.value.si)) continue;  // most: the rest is slower to compare
       const bool named_so = other.symbol.starts_with(taken.symbol) || taken.symbol.starts_with(other.symbol);
-      if (named_so && may_take(account_.derivation[i], account_.derivation[k]) && !other.formula.empty() &&
-          std::abs(other.value.si) == std::abs(taken.value.si))
+      if (named_so && may_take(account_.derivation[i], account_.derivation[k]) && !other.formula.empty())
         return follow(k);
     }
   }
@@ -139,9 +145,9 @@ class Tracing {
   /// The last line before that gave the name this value, of the inner scope or else of those outside of it.
   bool follow_line(std::size_t before, std::string_view scope, const account::Step::Given& given) {
     while (true) {
-      for (std::size_t i = before; i-- > 0;) {
+      for (const std::size_t i : lines_of(given.name)) {
         const Derived& line = account_.derivation[i];
-        if (line.step.value.si != given.si || line.scope != scope || line.step.symbol != given.name) continue;
+        if (i >= before || line.step.value.si != given.si || line.scope != scope) continue;
         follow(i);
         return true;
       }
@@ -151,12 +157,21 @@ class Tracing {
   }
 
   void add_input(const Derived& line, const std::string& name) {
-    for (const std::string& scope : {line.scope, line.element, std::string()}) inputs_.insert(joined(scope, name));
+    inputs_.insert(name);
+    if (!line.scope.empty()) inputs_.insert(joined(line.scope, name));
+    if (line.element != line.scope && !line.element.empty()) inputs_.insert(joined(line.element, name));
+  }
+
+  /// The lines of a symbol, the last one first.
+  [[nodiscard]] std::span<const std::size_t> lines_of(std::string_view symbol) const {
+    const auto found = last_first_.find(symbol);
+    return found == last_first_.end() ? std::span<const std::size_t>() : found->second;
   }
 
   const Account& account_;
+  std::unordered_map<std::string_view, std::vector<std::size_t>> last_first_;
   std::set<std::size_t> lines_;
-  std::set<std::string> inputs_;
+  std::unordered_set<std::string> inputs_;
 };
 
 }  // namespace

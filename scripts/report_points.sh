@@ -1,7 +1,8 @@
 #!/bin/sh
 # The points of the acceptance of reports that a program can measure, on the reports of all examples as Chromium lays them out:
 # blocks of page 1, margins, words, labels of figures, formulas, type sizes, clipped text, rows, contrast, phones of 390 pixels,
-# number of pages, share of a page that is used, embedded fonts. sh scripts/report_points.sh [BUILD | PROGRAM] [EXAMPLE...]
+# number of pages, share of a page that is used, embedded fonts.
+# sh scripts/report_points.sh [BUILD | PROGRAM] [EXAMPLE | PROJECT.toml...]
 # Prints a line per finding; exit code 1 if there is one that scripts/report_points.known does not list.
 set -eu
 cd "$(dirname "$0")/.."
@@ -88,9 +89,14 @@ printed() {
   while read -r font; do say "$1" "point 14: font $font"; done <"$work/fonts.txt"
 }
 
-for file in examples/*/project.toml; do
-  name=$(basename "$(dirname "$file")")
-  [ $# -eq 0 ] || case " $* " in *" $name "*) ;; *) continue ;; esac
+every=no
+if [ $# -eq 0 ]; then
+  every=yes
+  set -- examples/*/project.toml
+fi
+for file in "$@"; do
+  case $file in *.toml) ;; *) file=examples/$file/project.toml ;; esac
+  name=$(basename "${file%/project.toml}" .toml)
   rm -f "$work"/*.html "$work/r.pdf"
   status=0
   "$program" run "$file" --quiet --report "$work/r.html" >/dev/null 2>&1 || status=$?
@@ -101,7 +107,7 @@ for file in examples/*/project.toml; do
   printed "$name"
 done
 # Point 23: page 1 against the JSON of the same run.
-if [ $# -eq 0 ] && command -v python3 >/dev/null; then
+if [ "$every" = yes ] && command -v python3 >/dev/null; then
   python3 scripts/report_numbers.py "$program" >"$work/numbers.txt" || found=1
   [ "$found" = 0 ] || cat "$work/numbers.txt"
 fi

@@ -116,8 +116,10 @@ void judge_whirl(const Input& in, const Elastic& elastic, Result& r, Tracer& tra
 }
 
 std::optional<figure::Figure> campbell(const Input& in, const Elastic& elastic, const Result& r) {
+  constexpr double far_below = 0.5;  // of the first critical speed: no branch comes near the speed
+  if (!is_set(r.n) || !is_set(r.n_F) || (in.whirl_modes <= 1 && r.n < far_below * r.n_F)) return std::nullopt;
   const auto whirl = whirl_of(in, elastic);
-  if (!whirl || !is_set(r.n) || !is_set(r.n_F)) return std::nullopt;
+  if (!whirl) return std::nullopt;
   const double n = in_si(r.n), fastest = 1.25 * std::max(n, in_si(r.n_F));
   double highest = in_si(per_second(fastest));
   figure::Plot plot({"n", "speed of the shaft", "rpm"}, {"f", "frequency of whirl", "Hz"});

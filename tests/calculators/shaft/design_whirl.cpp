@@ -151,4 +151,9 @@ TEST_SUITE("shaft design whirl") {
     CHECK(figures(overhung(long_hub, "")) == 0);
     CHECK(figures(overhung("", "n = \"4300 rpm\"\n")) == 0);
   }
+
+  TEST_CASE("no Campbell diagram far below the first critical speed, unless several modes are listed") {
+    CHECK(figures(overhung(long_hub, "n = \"100 rpm\"\n")) == 0);
+    CHECK(figures(overhung(long_hub, "n = \"100 rpm\"\nwhirl_modes = 2\n")) == 1);
+  }
 }

@@ -19,9 +19,9 @@ void append_coordinate(std::string& out, double value) {
   if (out[at] != '-' && !after_command) out.insert(at, 1, ' ');
 }
 
-/// Digits behind the point of a coordinate: hundredths in a file that may be enlarged; in a page, where a unit is about
-/// a pixel, tenths.
-enum class Fineness { hundredths, tenths };
+/// A file may be enlarged, and other programs read it: hundredths, every attribute by its name. In a page, where a unit
+/// is about a pixel: tenths, and the shortest form.
+enum class Form { file, page };
 
 /// Lines and arrowheads in a colour of the text, of which it cannot be seen which is drawn first.
 bool has_no_order(std::string_view style) {
@@ -67,7 +67,7 @@ std::vector<Gathered> gathered(const std::vector<Canvas::Element>& elements) {
 /// Writes element after element.
 class Svg {
  public:
-  explicit Svg(std::string& body, Fineness fineness) : body_(body), fineness_(fineness) {}
+  explicit Svg(std::string& body, Form form) : body_(body), form_(form) {}
 
   void operator()(const Canvas::Path& path) { paths({&path}); }
   void paths(const std::vector<const Canvas::Path*>& all) {
@@ -79,12 +79,7 @@ class Svg {
   void operator()(const Canvas::Strokes& many) {
     open("path", many.style);
     body_ += " d=\"";
-    for (const auto& [from, to] : many.strokes) {
-      body_ += 'M';
-      coordinates(from);
-      body_ += 'L';
-      coordinates(to);
-    }
+    for (const auto& [from, to] : many.strokes) stroke(from, to);
     body_ += "\"/>\n";
   }
   void operator()(const Canvas::Dots& dots) {
@@ -125,11 +120,11 @@ class Svg {
     body_ += "/>\n";
   }
   void operator()(const Canvas::Words& words) {
-    open("text", words.style);
+    const bool is_middle = words.anchor == Anchor::middle, is_placed = words.anchor != Anchor::start;
+    open("text", words.style, !is_placed || form_ == Form::file ? "" : is_middle ? "mid" : "end");
     attribute("x", words.at.x);
     attribute("y", words.at.y);
-    if (words.anchor != Anchor::start)
-      body_ += words.anchor == Anchor::middle ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
+    if (is_placed && form_ == Form::file) body_ += is_middle ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
     if (words.turned) {
       body_ += " transform=\"rotate(-90";
       coordinates(words.at);
@@ -149,8 +144,10 @@ class Svg {
   void operator()(const Canvas::GroupEnd&) { body_ += "</g>\n"; }
 
  private:
-  void open(std::string_view element, std::string_view style) {
-    body_.append("<").append(element).append(" class=\"").append(style).append("\"");
+  void open(std::string_view element, std::string_view style, std::string_view more = {}) {
+    body_.append("<").append(element).append(" class=\"").append(style);
+    if (!style.empty() && !more.empty()) body_ += ' ';
+    body_.append(more).append("\"");
   }
   void attribute(std::string_view name, double value) {
     body_.append(" ").append(name).append("=\"");
@@ -175,24 +172,46 @@ class Svg {
     return sub;
   }
 
+  void stroke(Point from, Point to) {
+    body_ += 'M';
+    coordinates(from);
+    if (form_ == Form::page) return void(step(rounded(to) - rounded(from), ' '));
+    body_ += 'L';
+    coordinates(to);
+  }
+  /// Returns the command, which the next step need not repeat. A level or upright step is one number.
+  char step(Point by, char before) {
+    const bool is_level = std::fabs(by.y) < least, is_upright = std::fabs(by.x) < least;
+    const char command = form_ == Form::file ? 'l' : is_level ? 'h' : is_upright ? 'v' : 'l';
+    if (command != before) body_ += command;
+    if (command != 'v') append_coordinate(body_, rounded(by.x));
+    if (command != 'h') append_coordinate(body_, rounded(by.y));
+    return command;
+  }
   void data(const Canvas::Path& path) {
     body_ += 'M';
     Point last;
+    char command = ' ';
     for (std::size_t i = 0; i < path.points.size(); ++i) {
-      const Point p{rounded(path.points[i].x), rounded(path.points[i].y)};
-      if (i == 1) body_ += 'l';
-      coordinates(p - last);
+      const Point p = rounded(path.points[i]);
+      if (i == 0)
+        coordinates(p);
+      else
+        command = step(p - last, command);
       last = p;
     }
     if (path.closed) body_ += 'z';
   }
+  [[nodiscard]] Point rounded(Point p) const { return {rounded(p.x), rounded(p.y)}; }
   [[nodiscard]] double rounded(double value) const {
-    const double parts = fineness_ == Fineness::tenths ? 10.0 : 100.0;
+    const double parts = form_ == Form::page ? 10.0 : 100.0;
     return std::round(parts * value) / parts;
   }
 
+  static constexpr double least = 1e-6;  // of a difference between rounded coordinates
+
   std::string& body_;
-  Fineness fineness_;
+  Form form_;
 };
 
 /// Scripts move the parts of groups, each from its exact place.
@@ -204,7 +223,7 @@ bool is_still(const Picture& picture) {
 
 void append_elements(std::string& out, const Picture& picture, bool in_page) {
   const bool is_short = in_page && is_still(picture);
-  Svg writer(out, is_short ? Fineness::tenths : Fineness::hundredths);
+  Svg writer(out, is_short ? Form::page : Form::file);
   if (!is_short) {
     for (const Canvas::Element& part : picture.canvas.elements()) std::visit(writer, part);
     return;

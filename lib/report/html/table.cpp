@@ -13,15 +13,20 @@ namespace {
 
 constexpr double close_letters = 112.0, finer_letters = 128.0;  // letters per line: closer spacing, smaller type
 
-/// The class that says which columns are numbers, so that no cell needs one: all but the first, or one of the first.
-/// Empty for other tables.
-std::string_view numbers_of(const std::vector<bool>& numeric) {
+/// The classes that say which columns are numbers, so that no cell needs one: one of the first, or all but the first
+/// and the named ones. Empty for other tables.
+std::string numbers_of(const std::vector<bool>& numeric) {
   constexpr std::array<std::string_view, 6> single{"", "n2", "n3", "n4", "n5", "n6"};
+  constexpr std::size_t most = 24;  // of which the style sheet has a class for words
   const auto count = static_cast<std::size_t>(std::count(numeric.begin(), numeric.end(), true));
-  if (count == 0 || numeric.front()) return {};
-  if (count > 1) return count + 1 == numeric.size() ? "of-numbers" : "";
-  const auto at = static_cast<std::size_t>(std::find(numeric.begin(), numeric.end(), true) - numeric.begin());
-  return at < single.size() ? single[at] : "";
+  if (count == 0 || numeric.front() || numeric.size() > most) return {};
+  if (count == 1) {
+    const auto at = static_cast<std::size_t>(std::find(numeric.begin(), numeric.end(), true) - numeric.begin());
+    return at < single.size() ? std::string(single[at]) : std::string();
+  }
+  std::string names = "of-numbers";
+  for (std::size_t i = 1; i < numeric.size(); ++i) names += numeric[i] ? "" : " w" + std::to_string(i + 1);
+  return names;
 }
 
 /// ` class="dense of-numbers"`, nothing without a name.
@@ -43,8 +48,9 @@ std::string head_cell(const Message& head, bool marked, const std::string& unit)
 /// A cell of a numeric column keeps its line together; its quantities need no element of their own.
 std::string number_cell(const Cell& of, const std::string& quantity, bool marked) {
   const std::string_view number = marked ? "number" : "";
-  return std::holds_alternative<Quantity>(of) ? "<td" + classes({number}) + ">" + page::quantity(quantity) + "</td>"
-                                              : "<td" + classes({number, "words"}) + ">" + cell(of) + "</td>";
+  if (std::holds_alternative<Quantity>(of)) return "<td" + classes({number}) + ">" + page::quantity(quantity) + "</td>";
+  const std::string words = cell(of);
+  return "<td" + (words.empty() ? std::string() : classes({number, "words"})) + ">" + words + "</td>";
 }
 
 std::string close_cell(const Cell& of, const Column& column, bool marked) {
@@ -66,7 +72,8 @@ std::string close_part(const Table& table, const Part& part) {
   std::vector<bool> numeric;
   numeric.reserve(columns.size());
   for (const Column& c : columns) numeric.push_back(c.numeric);
-  const std::string_view numbers = numbers_of(numeric), finer = part.letters > close_letters ? "finer" : "";
+  const std::string numbers = numbers_of(numeric);
+  const std::string_view finer = part.letters > close_letters ? "finer" : "";
   const bool marked = numbers.empty();
   std::string out = "<div class=\"scroll\"><table" + classes({"dense", finer, numbers}) + ">\n<thead><tr>";
   for (const Column& c : columns) out += head_cell(table.head[c.index], marked && c.numeric, c.unit);
@@ -95,18 +102,16 @@ bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
     return !std::holds_alternative<Quantity>(of) && !std::holds_alternative<std::string>(of);
   };
   if (table.head.empty()) return false;
-  double letters = 0.0;
-  for (std::size_t i = 0; i < table.head.size(); ++i) {
+  const bool is_broken =
+      std::ranges::any_of(table.rows, [&](const auto& row) { return std::ranges::any_of(row, breaks); });
+  double letters = is_broken ? half + 1.0 : 0.0;
+  for (std::size_t i = 0; i < table.head.size() && letters <= half; ++i)
     letters += between_columns + column_of(table, i, numeric[i]).letters;
-    for (const auto& row : table.rows) {
-      if (i < row.size() && breaks(row[i])) return false;
-    }
-  }
   return letters <= half;
 }
 
 std::string wide(const Table& table, const std::vector<bool>& numeric) {
-  const std::string_view numbers = numbers_of(numeric);
+  const std::string numbers = numbers_of(numeric);
   const bool marked = numbers.empty();
   std::string out = "<div class=\"scroll\"><table" + classes({class_of(table), numbers}) + ">\n";
   if (!table.head.empty()) {

@@ -39,7 +39,7 @@ TEST_SUITE("draw") {
     add_dimension(canvas, 20.0);
     const std::string page = svg_part(picture_of(canvas), "t");
     CHECK(paths_in(page) == 2);
-    CHECK(page.find("d=\"M0 10l30.1 0M0 20l30.1 0\"") != std::string::npos);
+    CHECK(page.find("d=\"M0 10h30.1M0 20h30.1\"") != std::string::npos);
     CHECK(paths_in(svg_file(picture_of(canvas), "t")) == 6);
   }
 

@@ -114,12 +114,14 @@ std::array<Ray, directions> rays() {
 
 std::vector<Candidate> around(Point point, double gap, double width, double height) {
   static const std::array<Ray, directions> from_point = rays();
-  constexpr std::array<double, 5> distances{0.0, 6.0, 14.0, 24.0, 36.0};
+  constexpr std::array<double, 7> distances{0.0, 6.0, 14.0, 24.0, 36.0, 52.0, 70.0};
+  constexpr double close = 40.0;  // farther off it is better to cross a line, but not another name
   std::vector<Candidate> candidates;
   candidates.reserve(directions * distances.size());
   for (const double far : distances) {
+    const double cost = far > close ? hit + far : far;
     for (const Ray& ray : from_point)
-      candidates.push_back({pushed(point, ray.direction, gap + far, width, height), ray.away + far});
+      candidates.push_back({pushed(point, ray.direction, gap + far, width, height), ray.away + cost});
   }
   return candidates;
 }

@@ -139,7 +139,7 @@ void PlotPicture::label_level(const Level& level) {
 
 /// Places on both sides all along the curve; level stretches on the right first.
 std::vector<Candidate> PlotPicture::beside_curve(const DrawnCurve& drawn, double width) const {
-  constexpr double spacing = 12.0, low = 13.0;
+  constexpr double spacing = 12.0, low = 15.0;  // with room for a subscript
   std::vector<Candidate> places;
   const auto add = [&](Point foot, Point direction) {
     const double bias = 6.0 * std::fabs(direction.y) + 4.0 * (frame_.area().right - foot.x) / frame_.area().width();

@@ -7,6 +7,7 @@
 #include "lib/draw/svg.hpp"
 #include "lib/export/csv.hpp"
 #include "lib/export/json.hpp"
+#include "lib/report/brief/figures.hpp"
 #include "lib/report/build/build.hpp"
 #include "lib/report/html/compact.hpp"
 
@@ -93,10 +94,7 @@ bool add_series(const project::Project& project, const OutputOptions& options, s
   return true;
 }
 
-struct Drawing {
-  std::string step;
-  const figure::Figure* figure;
-};
+using Drawing = report::StepFigure;
 
 /// The first drawing to scale of every step: of a mechanism at its first position, of a section, of a drive.
 std::vector<Drawing> drawings_of(const project::Project& project) {
@@ -104,7 +102,7 @@ std::vector<Drawing> drawings_of(const project::Project& project) {
   for (const auto& step : project.steps) {
     const auto& figures = step->account().figures;
     const auto drawing = std::find_if(figures.begin(), figures.end(), draw::is_to_scale);
-    if (drawing != figures.end()) drawings.push_back({step->name(), &*drawing});
+    if (drawing != figures.end()) drawings.push_back({step.get(), &*drawing});
   }
   return drawings;
 }
@@ -115,7 +113,7 @@ std::vector<Drawing> leading_figures(const project::Project& project) {
   std::vector<Drawing> figures = drawings_of(project);
   if (!figures.empty()) return figures;
   for (const auto& step : project.steps) {
-    if (!step->account().figures.empty()) figures.push_back({step->name(), &step->account().figures.front()});
+    if (!step->account().figures.empty()) figures.push_back({step.get(), &step->account().figures.front()});
   }
   return figures;
 }
@@ -136,12 +134,13 @@ bool add_figures(const project::Project& project, const std::string& path, std::
   if (is_one_for_several(path, ".svg", figures)) return false;
   if (figures.empty()) return true;
   if (is_file(path, ".svg")) {
-    files.push_back({path, draw::svg(*figures[0].figure)});
+    files.push_back({path, draw::svg(report::in_file(project, figures[0]))});
     return true;
   }
   for (const auto& step : project.steps) {
     for (const figure::Figure& figure : step->account().figures)
-      files.push_back({fs::path(path) / (step->name() + "-" + figure.id + ".svg"), draw::svg(figure)});
+      files.push_back({fs::path(path) / (step->name() + "-" + figure.id + ".svg"),
+                       draw::svg(report::in_file(project, {step.get(), &figure}))});
   }
   return true;
 }
@@ -154,7 +153,7 @@ bool add_drawings(const project::Project& project, const std::string& path, std:
   if (drawings.empty()) std::cerr << "nothing is drawn to scale, so there is nothing to write as DXF\n";
   if (is_one_for_several(path, ".dxf", drawings)) return false;
   for (const auto& [step, figure] : drawings) {
-    const fs::path file = drawings.size() == 1 ? fs::path(path) : fs::path(path) / (step + ".dxf");
+    const fs::path file = drawings.size() == 1 ? fs::path(path) : fs::path(path) / (step->name() + ".dxf");
     files.push_back({file, draw::dxf_of(*figure)});
   }
   return true;

@@ -1,3 +1,5 @@
+#include "lib/draw/shaft.hpp"
+
 #include "lib/draw/canvas/picture.hpp"
 #include "lib/draw/canvas/rows.hpp"
 #include "lib/draw/diagrams.hpp"
@@ -19,7 +21,7 @@ using namespace shaft;
 
 class ShaftPicture {
  public:
-  explicit ShaftPicture(const figure::Shaft& shaft);
+  ShaftPicture(const figure::Shaft& shaft, bool has_outlines);
   Picture drawn();
 
  private:
@@ -49,6 +51,7 @@ class ShaftPicture {
   [[nodiscard]] double reach_below() const;
 
   const figure::Shaft& shaft_;
+  bool has_outlines_;
   std::vector<Cylinder> cylinders_;
   std::vector<TorqueSign> torques_;
   std::vector<RaisedSign> raised_;
@@ -63,7 +66,7 @@ class ShaftPicture {
   Canvas canvas_;
 };
 
-ShaftPicture::ShaftPicture(const figure::Shaft& shaft) : shaft_(shaft) {
+ShaftPicture::ShaftPicture(const figure::Shaft& shaft, bool has_outlines) : shaft_(shaft), has_outlines_(has_outlines) {
   for (const auto& part : shaft.parts) {
     const bool real = drawable(part.length) && drawable(part.diameter) && part.length > 1e-9 && part.diameter > 1e-9 &&
                       drawable(part.right);
@@ -105,10 +108,9 @@ void ShaftPicture::place_cylinders() {
   }
 }
 
-/// Above diagrams it is as low as can be.
 void ShaftPicture::place_outlines() {
   reach_ = radius_;
-  if (!shaft_.diagrams.empty()) return;
+  if (!has_outlines_) return;
   const auto place = [&](const figure::Shaft::Outline& outline, bool is_bearing) {
     const double width = scale_ * outline.width, x = at(std::clamp(outline.x, 0.0, length_));
     if (!drawable(width) || !drawable(outline.diameter) || !(outline.width > 0.0)) return;
@@ -381,6 +383,9 @@ Picture ShaftPicture::drawn() {
 
 }  // namespace
 
-Picture picture(const figure::Shaft& shaft) { return ShaftPicture(shaft).drawn(); }
+/// On a page it is as low as can be above its diagrams.
+Picture picture(const figure::Shaft& shaft) { return ShaftPicture(shaft, shaft.diagrams.empty()).drawn(); }
+
+Picture picture_in_file(const figure::Shaft& shaft) { return ShaftPicture(shaft, true).drawn(); }
 
 }  // namespace loadpath::draw

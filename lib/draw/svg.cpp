@@ -2,6 +2,7 @@
 
 #include "lib/draw/canvas/svg_writer.hpp"
 #include "lib/draw/page.hpp"
+#include "lib/draw/shaft.hpp"
 #include "lib/text/issue.hpp"
 
 namespace loadpath::draw {
@@ -10,7 +11,10 @@ Picture picture(const figure::Figure& figure) {
   return std::visit([](const auto& content) { return picture(content); }, figure.content);
 }
 
-std::string svg(const figure::Figure& figure) { return svg_file(picture(figure), say(figure.caption).text()); }
+std::string svg(const figure::Figure& figure) {
+  const auto* const shaft = std::get_if<figure::Shaft>(&figure.content);
+  return svg_file(shaft == nullptr ? picture(figure) : picture_in_file(*shaft), say(figure.caption).text());
+}
 
 std::string svg_in_page(const figure::Figure& figure) { return svg_part(picture(figure), say(figure.caption).text()); }
 

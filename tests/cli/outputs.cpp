@@ -243,5 +243,6 @@ TEST_SUITE("cli outputs") {
     CHECK(desk.files().size() == before);
     CHECK(desk.run({"run", gearbox, "--svg", "figures"}).error.ends_with("figures: figures\n"));
     CHECK(desk.files().size() > before + 1);
+    CHECK(desk.get("figures/shaft-shaft.svg").find("left: 6308, locating") != std::string::npos);
   }
 }

@@ -29,6 +29,8 @@ std::vector<StepFigure> other_shafts(const project::Project& project, const Summ
 figure::Figure marked(const StepFigure& figure);
 /// A shaft with the widths and outer diameters of its bearings, out of the steps that assess them.
 figure::Figure outlined(const project::Project& project, figure::Figure figure, const project::Step& step);
+/// A figure as a file of its own shows it: a shaft with marks, hubs, bearings and diagrams.
+figure::Figure in_file(const project::Project& project, const StepFigure& figure);
 /// A figure as page 1 shows it: a shaft without its diagrams, of several views those in the first row.
 figure::Figure in_brief(const figure::Figure& figure);
 /// A shaft that has the width of the page gets an end view.

@@ -1,3 +1,4 @@
+#include "lib/draw/page.hpp"
 #include "tests/lib/draw/figures.hpp"
 #include "tests/lib/draw/svg_reader.hpp"
 
@@ -166,6 +167,20 @@ TEST_SUITE("draw") {
                                     [](const Element& e) { return attribute(e.tag, "class") == "plate outline"; });
     REQUIRE(first != plates.end());
     CHECK(has(text, "<path class=\"area f0\" d=\"M" + std::string(attribute(first->tag, "x"))));
+  }
+
+  TEST_CASE("above diagrams hubs and bearings of known size are drawn in a file, not in a page") {
+    Shaft shaft = stepped_shaft();
+    shaft.diagrams.push_back({{"z", "position along the shaft", "mm"}, {"T", "torque", "N*m"}});
+    shaft.torques = {{0.5, 900.0, "wheel", 0.0, {}, 0.0, {0.5, 0.1, 0.2}}};
+    shaft.bearings = {{0.1, true, "left"}, {0.9, false, "right"}};
+    const std::string page = svg_in_page({"shaft", "A shaft", shaft});
+    CHECK(count(page, "class=\"image\"") == 0);
+    for (auto& bearing : shaft.bearings) bearing.outline = {bearing.x, 0.03, 0.12};
+    const std::string file = drawn(shaft);
+    CHECK(count(file, "<rect class=\"pin") == 4);  // above and below the axis
+    CHECK(count(file, "class=\"image\"") == 2);
+    CHECK(overlap(file) == "");
   }
 
   TEST_CASE("a shaft without segments states so") { CHECK(says(drawn(Shaft{}), "not available")); }

@@ -64,19 +64,19 @@ void Evaluation::settle_sizes_from(double size, Result wanted) {
     inputs_.set_values_of_rows(not_available);
     return;
   }
-  if (is_settled_from(size)) {
-    if (wanted == Result::current && !is_current_ && positions() == 1) evaluate_record();
-    return;
-  }
-  const double from = size;
   double before = size, two_before = size;
+  RecordState began;
   for (int round = 0; round < most_size_rounds; ++round) {
     const bool changed = inputs_.set_values_of_rows(size);
     settled_ = size;
-    if (round > 0 && !changed) return keep_settled(from);  // the same values give the same size
+    if (round == 0 && remembers_sizes()) {
+      began = state_of(record(), inputs_.provided());
+      if (take_settled(began, wanted)) return;
+    }
+    if (round > 0 && !changed) return keep_settled(std::move(began));  // the same values give the same size
     const double next = size_now();
     if (std::isnan(next)) return;  // without a size something is not available; the checks report it
-    if (next == size) return keep_settled(from);
+    if (next == size) return keep_settled(std::move(began));
     two_before = before;
     before = size;
     size = next;
@@ -84,20 +84,24 @@ void Evaluation::settle_sizes_from(double size, Result wanted) {
   unsettled_ = unsettled_size(two_before, before, size);
 }
 
-/// Whether the record is as it settled from there, with its values of rows.
-bool Evaluation::is_settled_from(double size) {
-  if (!remembers_sizes()) return false;
-  const auto settled = settled_records_.find(state_of(record(), inputs_.provided()), size);
-  if (!settled || inputs_.set_values_of_rows(settled->size)) return false;
-  settled_ = settled->size;
-  is_current_ = is_current_ && settled->is_newest;
+/// Whether it is known how the record settles that begins like this; then it is set so.
+bool Evaluation::take_settled(const RecordState& began, Result wanted) {
+  const Settled* const known = settled_records_.find(began);
+  if (known == nullptr) return false;
+  settled_ = known->size;
+  inputs_.set_values_of_rows(settled_);
+  if (wanted == Result::current && positions() == 1) {
+    result_.type->copy(known->result.data.get(), result_.data.get());
+    evaluated_ = state_of(record(), inputs_.provided());
+  }
   return true;
 }
 
-void Evaluation::keep_settled(double from) {
+void Evaluation::keep_settled(RecordState began) {
   if (!remembers_sizes()) return;
-  settled_records_.add(state_of(record(), inputs_.provided()), from, settled_);
-  is_current_ = true;
+  RecordState settled = state_of(record(), inputs_.provided());
+  if (positions() == 1) evaluated_ = settled;
+  settled_records_.add(std::move(began), std::move(settled), {settled_, positions() == 1 ? result_.clone() : Record{}});
 }
 
 /// A part with several sizes, one of which is a result: each round evaluates all of it.
@@ -118,7 +122,8 @@ Message Evaluation::unsettled_size(double two_before, double before, double now)
 
 bool Evaluation::evaluate_at(std::size_t i) {
   if (!set_position(i)) return false;
-  evaluate_record();
+  const bool is_current = evaluated_ && *evaluated_ == state_of(record(), inputs_.provided());
+  if (!is_current) evaluate_record();
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include "lib/project/run/evaluation/settled.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace loadpath::project {
@@ -44,10 +45,10 @@ class Evaluation {
   /// The same, and evaluates it.
   bool evaluate_at(std::size_t i);
   /// Evaluates the record as it is.
-  void evaluate_record() { is_current_ = false, calculator_.evaluate(record().data.get(), result_.data.get()); }
+  void evaluate_record() { evaluated_.reset(), calculator_.evaluate(record().data.get(), result_.data.get()); }
   /// The same, with the lines of the calculation.
   void explain_record(Trace& trace) {
-    is_current_ = false, calculator_.explain(record().data.get(), result_.data.get(), trace);
+    evaluated_.reset(), calculator_.explain(record().data.get(), result_.data.get(), trace);
   }
   /// The largest value of a result over the positions, refined between them; NaN if one is not available.
   double largest_result(const FieldInfo& field);
@@ -61,8 +62,8 @@ class Evaluation {
  private:
   enum class Result { current, any };
   void settle_sizes_from(double size, Result wanted);
-  bool is_settled_from(double size);
-  void keep_settled(double from);
+  bool take_settled(const RecordState& began, Result wanted);
+  void keep_settled(RecordState began);
   [[nodiscard]] bool remembers_sizes() const;
   /// NaN if nothing gives it.
   [[nodiscard]] double size_now();
@@ -76,7 +77,7 @@ class Evaluation {
   double settled_ = 0.0;  // size at which values of rows were last looked up
   Message unsettled_;
   SettledRecords settled_records_;
-  bool is_current_ = false;  // the result is of the record as it settled last
+  std::optional<RecordState> evaluated_;  // the record that the result is of, if it has settled
 };
 
 }  // namespace loadpath::project

@@ -1,6 +1,7 @@
 #include "lib/project/run/evaluation/settled.hpp"
 
 #include <bit>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -8,10 +9,27 @@ namespace loadpath::project {
 
 namespace {
 
+/// One step of FNV-1a, by whole numbers.
+std::uint64_t mixed(std::uint64_t sum, std::uint64_t number) {
+  constexpr std::uint64_t prime = 0x100000001b3;
+  sum = (sum ^ number) * prime;
+  return sum ^ (sum >> 29);
+}
+
+constexpr std::uint64_t basis = 0xcbf29ce484222325;
+
+std::uint64_t checksum(const Value* series) {
+  if (series == nullptr) return 0;
+  const auto axis = reinterpret_cast<std::uintptr_t>(series->signature.axis);
+  std::uint64_t sum = mixed(mixed(basis, series->si.size()), axis);
+  for (const double si : series->si) sum = mixed(sum, std::bit_cast<std::uint64_t>(si));
+  return sum;
+}
+
 void add_state(std::span<const FieldInfo> fields, void* owner, RecordState& state) {
   for (const FieldInfo& field : fields) {
     if (field.get != nullptr) state.numbers.push_back(std::bit_cast<std::uint64_t>(field.get(owner)));
-    if (field.series != nullptr) state.numbers.push_back(reinterpret_cast<std::uintptr_t>(field.series(owner)));
+    if (field.series != nullptr) state.numbers.push_back(checksum(field.series(owner)));
     if (field.text != nullptr) state.words.append(field.text(owner)).append("\n");
     if (!field.has_fields()) continue;
     const std::size_t count = field.size(owner);
@@ -29,18 +47,21 @@ RecordState state_of(const Record& record, const std::vector<Provided>& provided
   return state;
 }
 
-void SettledRecords::add(RecordState state, double from, double size) {
-  last_[next_] = Settled{std::move(state), from, size};
-  next_ = (next_ + 1) % last_.size();
+std::size_t SettledRecords::Hash::operator()(const RecordState& state) const {
+  std::uint64_t sum = mixed(basis, std::hash<std::string>()(state.words));
+  for (const std::uint64_t number : state.numbers) sum = mixed(sum, number);
+  return sum;
 }
 
-std::optional<SettledRecords::Found> SettledRecords::find(const RecordState& state, double from) const {
-  for (std::size_t i = 0; i < last_.size(); ++i) {
-    const auto& one = last_[i];
-    if (one && (one->from == from || one->size == from) && one->state == state)
-      return Found{one->size, (i + 1) % last_.size() == next_};
-  }
-  return std::nullopt;
+void SettledRecords::add(RecordState began, RecordState settled, const Settled& found) {
+  if (known_.size() >= most) known_.clear();
+  known_.insert_or_assign(std::move(began), found);
+  known_.insert_or_assign(std::move(settled), found);
+}
+
+const Settled* SettledRecords::find(const RecordState& state) const {
+  const auto found = known_.find(state);
+  return found == known_.end() ? nullptr : &found->second;
 }
 
 }  // namespace loadpath::project

@@ -6,31 +6,26 @@
 using namespace loadpath::project;
 
 TEST_SUITE("project") {
-  TEST_CASE("a settled record is found from the size that its search began at, and from its own") {
+  TEST_CASE("a settled record is found as it began, and as it settled") {
     SettledRecords records;
-    const RecordState part{{1, 2, 3}, "C45E\n"};
-    records.add(part, 0.0, 0.04);
-    for (const double from : {0.0, 0.04}) {
-      const auto found = records.find(part, from);
-      REQUIRE(found);
+    const RecordState began{{1, 2, 0}, "C45E\n"}, settled{{1, 2, 3}, "C45E\n"};
+    records.add(began, settled, {.size = 0.04});
+    for (const RecordState& state : {began, settled}) {
+      const Settled* const found = records.find(state);
+      REQUIRE(found != nullptr);
       CHECK(found->size == 0.04);
-      CHECK(found->is_newest);
     }
-    CHECK_FALSE(records.find(part, 0.02));
-    CHECK_FALSE(records.find({{1, 2, 4}, "C45E\n"}, 0.0));
-    CHECK_FALSE(records.find({{1, 2, 3}, "S355\n"}, 0.0));
+    CHECK(records.find({{1, 2, 4}, "C45E\n"}) == nullptr);
+    CHECK(records.find({{1, 2, 3}, "S355\n"}) == nullptr);
   }
 
-  TEST_CASE("a part and its neighbour are kept, not a third one") {
+  TEST_CASE("the parts of a search are kept, and not more and more of them") {
     SettledRecords records;
-    const RecordState part{{1}, ""}, neighbour{{2}, ""}, third{{3}, ""};
-    records.add(part, 0.0, 0.04);
-    records.add(neighbour, 0.0, 0.03);
-    REQUIRE(records.find(part, 0.0));
-    CHECK_FALSE(records.find(part, 0.0)->is_newest);
-    CHECK(records.find(neighbour, 0.0)->is_newest);
-    records.add(third, 0.0, 0.02);
-    CHECK_FALSE(records.find(part, 0.0));
-    CHECK(records.find(third, 0.0)->is_newest);
+    for (std::uint64_t part = 0; part < 100; ++part) records.add({{part, 0}, ""}, {{part, 1}, ""}, {});
+    CHECK(records.find({{0, 0}, ""}) != nullptr);
+    CHECK(records.find({{99, 1}, ""}) != nullptr);
+    for (std::uint64_t part = 100; part < 1000; ++part) records.add({{part, 0}, ""}, {{part, 1}, ""}, {});
+    CHECK(records.find({{0, 0}, ""}) == nullptr);
+    CHECK(records.find({{999, 1}, ""}) != nullptr);
   }
 }

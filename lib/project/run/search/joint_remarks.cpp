@@ -56,6 +56,7 @@ std::optional<account::TriedSize> JointSearch::next_of(const SizeIndices& laid, 
 /// No sizes pass together: none has a value. Reports the failures of the nearest ones, all alike unless their
 /// neighbours require otherwise.
 void JointSearch::leave_open(SizeIndices nearest) {
+  if (!in_words_) return leave_all(say("no sizes pass together"));  // a point of a sweep: the nearest are only words
   sizes_.cap();
   Shortfall least;
   bool is_first = true;

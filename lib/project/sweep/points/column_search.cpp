@@ -5,8 +5,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace loadpath::project {
+
+namespace {
+
+/// Whether a sizing has found something for an input left open.
+bool is_kept_result(double found) { return !(found == 0.0 || std::isnan(found)); }
+
+/// Without a branch, for the compiler to put into lanes.
+bool any_kept(std::span<const double> found) {
+  std::uint64_t any = 0;
+  for (const double x : found) any |= static_cast<std::uint64_t>(x == x) & static_cast<std::uint64_t>(x != 0.0);
+  return any != 0;
+}
+
+}  // namespace
 
 /// The start of a search: the minimum size, computed without one.
 void ColumnParts::find_first_candidates(PointColumns& points) {
@@ -48,8 +63,9 @@ void ColumnParts::run_for_least(PointColumns& points) {
   }
   calculator.sweep(record.data.get(), in, out, rows);
   for (const std::vector<double>& found : sought->of_kept) {
+    if (!any_kept(found)) continue;
     for (std::size_t row = 0; row < rows; ++row) {
-      if (!std::isnan(found[row]) && found[row] != 0.0) leave(points, row / positions());
+      if (is_kept_result(found[row])) leave(points, row / positions());
     }
   }
 }
@@ -64,8 +80,10 @@ void ColumnParts::search(PointColumns& points) {
   ++inputs_fed;
   for (bool again = true; again;) {
     again = false;
-    for (std::size_t row = 0; row < wanted.si.size(); ++row)
-      wanted.si[row] = wanted.stock[std::min(wanted.at[row / positions()].now, wanted.stock.size() - 1)];
+    for (std::size_t point = 0; point < points.count; ++point) {
+      const double tried = wanted.stock[std::min(wanted.at[point].now, wanted.stock.size() - 1)];
+      std::fill_n(wanted.si.data() + point * positions(), positions(), tried);
+    }
     start_sizes(points);
     settle_sizes(points);
     evaluate_read(points.count * positions());

@@ -4,7 +4,10 @@
 #include "lib/numerics/prandtl.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 namespace loadpath::section {
 
@@ -44,13 +47,27 @@ struct Nets {
   numerics::TorsionFunction coarse, fine;
 };
 
+bool are_same(const Contours& one, const Contours& other) {
+  const auto bits = [](const PlanePoint& p) {
+    return std::pair{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y)};
+  };
+  return std::ranges::equal(one.points, other.points, {}, bits, bits) &&
+         std::ranges::equal(one.loops, other.loops, {}, &Contour::size, &Contour::size);
+}
+
+/// Of the section of the last call, too: a load that varies leaves it as it is.
 Nets nets_of(const Input& in) {
+  thread_local Contours last;
+  thread_local Nets nets;
   Contours contours;
   add(contours, in.points);
   for (const Polygon::Hole& hole : in.holes) add(contours, hole.points);
+  if (are_same(contours, last)) return nets;
   const std::size_t per_side = elements_per_side(contours.points.size());
-  return {numerics::torsion_function({contours.loops.data(), contours.loops.size()}, per_side),
+  nets = {numerics::torsion_function({contours.loops.data(), contours.loops.size()}, per_side),
           numerics::torsion_function({contours.loops.data(), contours.loops.size()}, 2 * per_side)};
+  last = contours;  // of the loops only the sizes are compared
+  return nets;
 }
 
 /// Direction of the contour at b: 1 to the left, -1 to the right, 0 where it goes straight on.

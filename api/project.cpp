@@ -48,7 +48,7 @@ class Keeping {
     sweep_.points = plan.space.count();
     for (const project::SweptInput& input : plan.inputs) sweep_.columns.push_back(column_of(input));
     results_ = plan.kept_results();
-    for (const std::size_t k : plan.beside_inputs()) sweep_.columns.push_back(column_of(plan.columns[k]));
+    for (const std::size_t k : plan.output_columns()) sweep_.columns.push_back(column_of(plan.columns[k]));
     for (const char* const name : {"state", "utilisation"}) sweep_.columns.push_back({name, "1", "-", {}, {}});
     if (!rows) return;
     for (Column& column : sweep_.columns) column.values.resize(sweep_.points);
@@ -132,8 +132,8 @@ Sweep Project::sweep(const SweepOptions& options) const {
   project::SweepStatistics found = project::nothing_found(plan, project, keep);
   Keeping kept(plan, options.rows);
   const auto read = [&] {
-    std::vector<loadpath::Issue> told;
-    project::Project own = read_again(text_, name_, Ranges::taken, told);
+    std::vector<loadpath::Issue> again;
+    project::Project own = read_again(text_, name_, Ranges::taken, again);
     own.strict = options.strict;
     return own;
   };

@@ -200,7 +200,7 @@ int calculate(const CalculateOptions& options) {
         if (has_errors(issues)) return project::Project{};
         const std::string name = options.file.empty() ? "command line" : file.file;
         project::Project project = project::read_project(tree, name, catalogue(), issues);
-        if (!options.settings.empty()) project.meta.emplace_back("set", told(options.settings));
+        if (!options.settings.empty()) project.meta.emplace_back("set", text_of(options.settings));
         return project;
       },
       sources, options.output, report::Detail::full);

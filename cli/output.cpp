@@ -278,12 +278,12 @@ void sort_reports(const report::Document& document, const std::vector<std::strin
 }
 
 /// "figures: out": what was written there.
-void tell(const char* what, const std::string& path, bool quiet) {
+void announce(const char* what, const std::string& path, bool quiet) {
   if (!quiet && !path.empty() && !is_standard_output(path)) std::cerr << what << ": " << path << "\n";
 }
 
-void tell_reports(const std::vector<std::string>& paths, bool quiet) {
-  for (const std::string& path : paths) tell("report", path, quiet);
+void announce_reports(const std::vector<std::string>& paths, bool quiet) {
+  for (const std::string& path : paths) announce("report", path, quiet);
 }
 
 }  // namespace
@@ -294,7 +294,7 @@ bool write_reports(const report::Document& document, const std::vector<std::stri
   std::vector<std::string> prints;
   sort_reports(document, paths, files, prints);
   if (!put(files, prints, document, project)) return false;
-  tell_reports(paths, quiet);
+  announce_reports(paths, quiet);
   return true;
 }
 
@@ -339,10 +339,10 @@ bool write(const project::Project& project, const OutputOptions& options, const 
   if (!add_drawings(project, options.dxf, files)) return false;
   const std::size_t drawings = files.size();
   if (!put(files, prints, document, project)) return false;
-  tell_reports(options.reports, options.quiet);
-  if (series > reports) tell("series", options.csv, options.quiet);
-  if (figures > series) tell("figures", options.svg, options.quiet);
-  if (drawings > figures) tell("drawings", options.dxf, options.quiet);
+  announce_reports(options.reports, options.quiet);
+  if (series > reports) announce("series", options.csv, options.quiet);
+  if (figures > series) announce("figures", options.svg, options.quiet);
+  if (drawings > figures) announce("drawings", options.dxf, options.quiet);
   return true;
 }
 

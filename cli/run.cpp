@@ -125,7 +125,7 @@ int worst_of(const std::vector<int>& codes) {
 }
 
 /// The outcome of every project, in a line each.
-void tell_all(const std::vector<ProjectFile>& projects, const std::vector<int>& codes) {
+void print_all(const std::vector<ProjectFile>& projects, const std::vector<int>& codes) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < projects.size(); ++i) {
     rows.push_back({"  " + std::string(word_of(codes[i])), projects[i].path});
@@ -150,7 +150,7 @@ int run_several(const RunOptions& options) {
     if (shown) std::cout << "\n" << std::flush;
   }
   if (options.output.json) std::cout << objects.list();
-  if (shown) tell_all(projects, codes);
+  if (shown) print_all(projects, codes);
   return worst_of(codes);
 }
 

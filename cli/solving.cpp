@@ -19,8 +19,8 @@ namespace loadpath::cli {
 namespace {
 
 /// Reports issues: as JSON on standard output for a program that requested it, else on standard error.
-void tell(const std::vector<Issue>& issues, const std::vector<terminal::SourceText>& sources,
-          const OutputOptions& output) {
+void print_issues(const std::vector<Issue>& issues, const std::vector<terminal::SourceText>& sources,
+                  const OutputOptions& output) {
   if (output.json && has_errors(issues)) std::cout << exports::json_of(issues);
   if (!output.quiet || has_errors(issues)) terminal::show_issues(with_flags(issues), sources);
 }
@@ -71,7 +71,7 @@ OutputOptions with_report_of(const project::Project& project, OutputOptions outp
 }
 
 /// Reports values that differ from the project's expectations, which are not part of its verdict.
-void tell_misses(const project::Project& project) {
+void print_misses(const project::Project& project) {
   const auto all = project::compare(project);
   const auto misses = std::count_if(all.begin(), all.end(), [](const project::Comparison& c) { return !c.holds; });
   if (misses == 0) return;
@@ -125,7 +125,7 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   project.strict = output.strict;
   if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, detail));
   if (!has_errors(issues)) check_series(project, output, issues);
-  tell(issues, with_files_of(project, sources), output);
+  print_issues(issues, with_files_of(project, sources), output);
   if (has_errors(issues)) return wrong_input;
   if (!write(project, output, input_of(sources))) return wrong_input;
   if (output.json) {
@@ -135,7 +135,7 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   } else if (!takes_standard_output(output)) {
     show(project, output, detail, usual == report::Detail::full);
   }
-  if (!output.quiet) tell_misses(project);
+  if (!output.quiet) print_misses(project);
   return exit_for(project::modes(project));
 }
 

@@ -220,28 +220,28 @@ bool Staged::add(const fs::path& path, const std::string& text) {
   std::error_code error;
   if (fs::is_symlink(target.path, error)) return cannot_write(path, ELOOP);
   if (path.has_parent_path()) scratch_.create_parents(path.parent_path());
-  const fs::path beside = place_beside(target.path);
-  const int file = scratch_.create(beside);
+  const fs::path part_file = place_next_to(target.path);
+  const int file = scratch_.create(part_file);
   if (file < 0) return cannot_write(path, errno);
   const int why = write_whole(file, text) ? 0 : errno;
   const int later = ::close(file) == 0 ? why : errno;
   return later == 0 || cannot_write(path, why == 0 ? later : why);
 }
 
-fs::path Staged::place_beside(const fs::path& target) {
+fs::path Staged::place_next_to(const fs::path& target) {
   const std::string number = std::to_string(getpid()) + "-" + std::to_string(files_.size() + 1);
-  const fs::path beside = target.parent_path() / ("." + target.filename().string() + "." + number + part);
+  const fs::path part_file = target.parent_path() / ("." + target.filename().string() + "." + number + part);
   remove_leftovers(target);
-  files_.push_back({beside, target, {}});
-  return beside;
+  files_.push_back({part_file, target, {}});
+  return part_file;
 }
 
 fs::path Staged::aside(const fs::path& path) {
   const Target target = target_of(path);
   if (is_stream(target)) return path;
-  fs::path beside = place_beside(target.path);
-  scratch_.add(beside);
-  return beside;
+  fs::path part_file = place_next_to(target.path);
+  scratch_.add(part_file);
+  return part_file;
 }
 
 std::FILE* Staged::open(const fs::path& path) {

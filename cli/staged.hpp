@@ -80,7 +80,7 @@ class Staged {
   static int send(const File& file);
   int put(const File& file);
   /// The temporary path of a file, in the folder of its target.
-  std::filesystem::path place_beside(const std::filesystem::path& target);
+  std::filesystem::path place_next_to(const std::filesystem::path& target);
 
   Scratch& scratch_;
   std::vector<File> files_;

@@ -216,7 +216,7 @@ s_0 = 2
              Field{&Input::F_a0, "F_a0", kN, "simultaneous axial load"}.load().may_be_missing(),
              ListField{&Input::blocks, "blocks", "load and speed blocks with time fractions; omitted: one block"}
                  .may_be_missing(),
-             Choice{&Input::holds, "holds", "loads that the shaft needs the bearing for: radial, or radial and axial"}
+             Choice{&Input::holds, "holds", "loads that the bearing must carry: radial, or radial and axial"}
                  .may_be_missing()},
       life_inputs<Input>(), pair_inputs<Input>(), centre_inputs<Input>(), dimension_inputs<Input>(),
       seat_inputs<Input>());
@@ -383,7 +383,8 @@ s_0 = 2
       Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"film", "lubrication and contamination (a_ISO)", &film_is_given<Input>}.judged_by("x_k").special(),
       Mode<Input>{"heat", "operating temperature and grease life", &unseen<Input>}.special(),
-      Mode<Input>{"tilt", "misalignment of the rings", &unseen<Input>}.special().assessed_beside("shaft.design"),
+      Mode<Input>{"tilt", "misalignment of the rings", &unseen<Input>}.special().assessed_additionally_in(
+          "shaft.design"),
       Mode<Input>{"seats", "ring creep on the shaft and housing seats", &unseen<Input>}.special(),
       Mode<Input>{"standstill", "false brinelling, electrical erosion, corrosion", &unseen<Input>}.special()};
 

@@ -42,12 +42,14 @@ struct Mate {
   static constexpr Fields fields{
       RecordField<Mate>{"load", "loads of the mating bearing: load = \"=shaft.bearings.right\""},
       Field{&Mate::F_r, "F_r", kN, "its radial load"}.load().at_least(0),
-      Field{&Mate::F_a, "F_a", kN, "external axial force on it, positive to the right"}.load().may_be_missing(),
+      Field{&Mate::F_a, "F_a", kN, "external axial force on the mating bearing, positive to the right"}
+          .load()
+          .may_be_missing(),
       Field{&Mate::Y, "Y", ratio, "its axial load factor above e: Y = \"=right_bearing.Y\""}.positive().usually(0.2, 7),
       Field{&Mate::F_r0, "F_r0", kN, "its peak radial load"}.load().at_least(0).may_be_missing(),
       Field{&Mate::F_a0, "F_a0", kN, "simultaneous axial force"}.load().may_be_missing(),
       Field{&Mate::x, "x", mm, "its position on the shaft"}.may_be_missing(),
-      Field{&Mate::n, "n", rpm, "its speed, that of the shaft of both bearings"}.may_be_missing()};
+      Field{&Mate::n, "n", rpm, "speed of the mating bearing, that of the common shaft"}.may_be_missing()};
 };
 
 /// Inputs of a bearing that is one of a pair.

@@ -36,7 +36,7 @@ constexpr auto seat_inputs() {
                 Field{&Input::l_s, "l_s", mm, "maximum ring width that fits the shaft segment, centred at the bearing"}
                     .at_least(0)
                     .may_be_missing(),
-                Field{&Input::r_f, "r_f", mm, "fillet radius of the shoulder that the inner ring abuts on"}
+                Field{&Input::r_f, "r_f", mm, "fillet radius of the shoulder on which the inner ring abuts"}
                     .at_least(0)
                     .may_be_missing(),
                 Field{&Input::d_f, "d_f", mm, "diameter of this shoulder"}.positive().may_be_missing()};

@@ -75,8 +75,8 @@ void add_distance(const TwoWheels& w, Drawing::View& view) {
 
 void add_tensions(const TwoWheels& w, const Pulls& pulls, Drawing::View& view) {
   const auto spans = spans_of(w);
-  const auto tell = [&](const LoopSpan& span, const std::string& words, const std::string& symbol, double force,
-                        double outside) {
+  const auto add_tension = [&](const LoopSpan& span, const std::string& words, const std::string& symbol, double force,
+                               double outside) {
     const double share = w.crossed ? 0.75 : 0.5;  // crossed spans have one middle
     const Point middle{span.from.x + share * (span.to.x - span.from.x),
                        span.from.y + share * (span.to.y - span.from.y)};
@@ -90,8 +90,8 @@ void add_tensions(const TwoWheels& w, const Pulls& pulls, Drawing::View& view) {
     view.names.push_back({middle, words, value, false});
   };
   const bool one = pulls.of_one_belt && std::isfinite(pulls.tight);
-  tell(spans[1], say(one ? "tight span, one belt" : "tight span").text(), pulls.tight_symbol, pulls.tight, 1.0);
-  tell(spans[0], say(one ? "slack span, one belt" : "slack span").text(), pulls.slack_symbol, pulls.slack, -1.0);
+  add_tension(spans[1], say(one ? "tight span, one belt" : "tight span").text(), pulls.tight_symbol, pulls.tight, 1.0);
+  add_tension(spans[0], say(one ? "slack span, one belt" : "slack span").text(), pulls.slack_symbol, pulls.slack, -1.0);
 }
 
 void add_shaft_loads(const TwoWheels& w, const Pulls& pulls, Drawing::View& view) {

@@ -52,7 +52,7 @@ FieldFault Buckling::section_missing(const Input& in) {
 
 bool Buckling::radii_fit(const Input& in) { return fits(in, in.I_y, in.i_y) && fits(in, in.I_z, in.i_z); }
 
-bool Buckling::needs_of_method(const Input& in) { return lack(in, method_of(in), has_curves(in)).empty(); }
+bool Buckling::needs_of_method(const Input& in) { return missing_inputs(in, method_of(in), has_curves(in)).empty(); }
 
 FieldFault Buckling::missing_for_method(const Input& in) {
   const bool curves = in.method == Method::unsaid ? is_structural(in) : has_curves(in);

@@ -102,9 +102,9 @@ stages = [
       Mode<Input>{"efficiency", "efficiency of the worm gear", &loads_a_worm}.judged_by("stages.x_eta"),
       Mode<Input>{"strength", "strength of the stages",
                   [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }}
-          .assessed_beside("gear.pair, gear.planetary, gear.bevel, gear.worm, gear.crossed, chain.roller, "
-                           "chain.inverted_tooth, belt.v, belt.flat, belt.grooved, belt.synchronous, "
-                           "drive.friction_wheels")
+          .assessed_additionally_in("gear.pair, gear.planetary, gear.bevel, gear.worm, gear.crossed, chain.roller, "
+                                    "chain.inverted_tooth, belt.v, belt.flat, belt.grooved, belt.synchronous, "
+                                    "drive.friction_wheels")
           .for_each_of("stages", "shafts"),
       Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special()};
 

@@ -46,7 +46,7 @@ template <class Tracer>
 void find_speed(const Input& in, Result& r, Tracer& trace) {
   const auto J_k = r.J_k =
       trace.value("J_k", inertia_of_unknown(in), "sum of J after, of the parts whose speed is to be found");
-  const Time t = r.t_M = trace.value("t", is_set(in.t) ? in.t : 0.0 * sec, "time that the moment acts");
+  const Time t = r.t_M = trace.value("t", is_set(in.t) ? in.t : 0.0 * sec, "time for which the moment acts");
   STEP_TO(r, K_2, r.K_1 + in.M * t, "theorem of angular momentum, [B36]");
   STEP_TO(r, omega_2, (K_2 - r.K_k) / J_k, "angular momentum that is left for them, K = J omega, [B36]");
   r.n_2 = omega_2;

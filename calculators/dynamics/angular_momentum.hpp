@@ -62,7 +62,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
       ListField{&Input::parts, "parts", "parts on the axis; those without omega_2 turn together afterwards"},
       Field{&Input::M, "M", N_m, "constant external moment about the axis, signed; negative: brakes forward rotation"}
           .load(),
-      Field{&Input::t, "t", sec, "time that the moment acts; found where every omega_2 is given"}
+      Field{&Input::t, "t", sec, "time for which the moment acts; computed if every omega_2 is given"}
           .at_least(0)
           .may_be_missing()};
 
@@ -93,7 +93,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
       Field{&Result::J_k, "J_k", kg_m2, "moment of inertia after of the parts whose speed is to be found"},
       Field{&Result::omega_2, "omega_2", rad_per_s, "angular velocity after of the parts that turn together"},
       Field{&Result::n_2, "n_2", rpm, "the same in revolutions per minute"},
-      Field{&Result::t_M, "t_M", sec, "time that the moment acts"},
+      Field{&Result::t_M, "t_M", sec, "time for which the moment acts"},
       Field{&Result::E_1, "E_1", J, "kinetic energy before"},
       Field{&Result::E_2, "E_2", J, "kinetic energy after"},
       Field{&Result::Delta_E, "Delta_E", J, "change of the kinetic energy"},

@@ -59,7 +59,7 @@ t_2 = "1.9 s"
       Field{&Input::F_x, "F_x", N, "known forces along x: weight, loads"}.load(),
       Field{&Input::F_y, "F_y", N, "known forces along y"}.load(),
       Field{&Input::F_z, "F_z", N, "known forces along z"}.load(),
-      Field{&Input::t_1, "t_1", sec, "start of the range that the maximum force is for, with t_2"}.may_be_missing(),
+      Field{&Input::t_1, "t_1", sec, "start of the time range of the maximum force, with t_2"}.may_be_missing(),
       Field{&Input::t_2, "t_2", sec, "end of the range, after t_1"}.may_be_missing()};
 
   struct Result {
@@ -85,11 +85,11 @@ t_2 = "1.9 s"
       Field{&Result::Phi_x, "Phi_x", N, "inertia force along x"},
       Field{&Result::Phi_y, "Phi_y", N, "inertia force along y"},
       Field{&Result::Phi_z, "Phi_z", N, "inertia force along z"},
-      Field{&Result::R_x, "R_x", N, "force that is missing along x: the resultant less the known forces"}.load().with(
+      Field{&Result::R_x, "R_x", N, "missing force along x: the resultant less the known forces"}.load().with(
           "R_y, R_z"),
-      Field{&Result::R_y, "R_y", N, "force that is missing along y"}.load().with("R_x, R_z"),
-      Field{&Result::R_z, "R_z", N, "force that is missing along z"}.load().with("R_x, R_y"),
-      Field{&Result::R, "R", N, "force that is missing: drive, guide, thread"}.load(),
+      Field{&Result::R_y, "R_y", N, "missing force along y"}.load().with("R_x, R_z"),
+      Field{&Result::R_z, "R_z", N, "missing force along z"}.load().with("R_x, R_y"),
+      Field{&Result::R, "R", N, "missing force: drive, guide, rope"}.load(),
       Field{&Result::N_R, "N_R", W, "power of the missing force"},
       Field{&Result::R_max, "R_max", N, "maximum missing force from t_1 to t_2, at 257 times"}.load(),
       Field{&Result::t_max, "t_max", sec, "time of the maximum missing force, the first where there are several"}};

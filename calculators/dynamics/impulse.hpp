@@ -55,7 +55,7 @@ v_1x = "-1 m/s"
           .load()
           .may_be_missing(),
       Field{&Input::t_1, "t_1", sec, "time at which the force starts"},
-      Field{&Input::t_2, "t_2", sec, "time at which it ends, after t_1"},
+      Field{&Input::t_2, "t_2", sec, "end time of the force, after t_1"},
       Field{&Input::v_1x, "v_1x", m_per_s, "velocity along x before"},
       Field{&Input::v_1y, "v_1y", m_per_s, "velocity along y before"},
       Field{&Input::v_1z, "v_1z", m_per_s, "velocity along z before"}};

@@ -67,8 +67,8 @@ wheels = [
     static constexpr Fields fields{
         NameField{&Wheel::name, "name", "name of the wheel"}.may_be_missing(),
         Field{&Wheel::J, "J", kg_m2, "moment of inertia about its axis"}.at_least(0),
-        Field{&Wheel::r, "r", mm, "radius that the thread runs at"}.positive().usually(1, 1e5),
-        Field{&Wheel::i, "i", ratio, "path of the thread on it, against its axis, over the path s"},
+        Field{&Wheel::r, "r", mm, "radius of the rope on the wheel"}.positive().usually(1, 1e5),
+        Field{&Wheel::i, "i", ratio, "path of the rope relative to the wheel axis, over the path s"},
         Field{&Wheel::M_f, "M_f", N_m, "moment of the bearing friction"}.at_least(0),
         Field{&Wheel::M_d, "M_d", N_m, "driving moment, positive forwards; negative brakes"}.load()};
   };
@@ -86,7 +86,7 @@ wheels = [
   static constexpr auto inputs =
       join(Fields{Field{&Input::s, "s", m, "travel over which the motion is calculated"}.positive().usually(1e-3, 1e4),
                   Field{&Input::v_0, "v_0", m_per_s, "speed of the coordinate at the start"}.at_least(0),
-                  ListField{&Input::weights, "weights", "bodies that go up and down, or along tracks"}.may_be_missing(),
+                  ListField{&Input::weights, "weights", "bodies moving vertically or along tracks"}.may_be_missing(),
                   ListField{&Input::wheels, "wheels", "drums and pulleys"}.may_be_missing()},
            gravity_fields<Input>());
 
@@ -98,7 +98,7 @@ wheels = [
     static constexpr Fields fields{NameField{&WeightState::name, "name", "name of the body"},
                                    Field{&WeightState::v, "v", m_per_s, "speed at the end, positive downwards"},
                                    Field{&WeightState::E, "E", J, "kinetic energy at the end"},
-                                   Field{&WeightState::T, "T", N, "force of the threads on it, upwards"}.load()};
+                                   Field{&WeightState::T, "T", N, "force of the ropes on the body, upwards"}.load()};
   };
   struct WheelState {
     Name name;

@@ -72,7 +72,7 @@ bodies = [
       Field{&Result::x_C, "x_C", loadpath::m, "centre of mass, x: before and after"},
       Field{&Result::y_C, "y_C", loadpath::m, "centre of mass, y"},
       Field{&Result::Delta_x, "Delta_x", loadpath::m, "displacement of the carrier along x"},
-      ListField{&Result::after, "after", "the bodies after they have moved"}};
+      ListField{&Result::after, "after", "bodies after their displacement"}};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !in.bodies.empty(); }, "bodies", "give at least one body"},

@@ -147,7 +147,7 @@ FieldFault Motion::gap(const Input& in) {
   const auto missing = std::ranges::find_if(F, [](double value) { return !std::isfinite(value); });
   constexpr std::array keys{"F_x", "F_y", "F_z"};
   return {missing == F.end() ? keys[0] : keys[static_cast<std::size_t>(missing - F.begin())],
-          say("the force has no value, or a pole, at {1}", place), say("end the motion before, by t_2 or `until`")};
+          say("the force has no value, or a pole, at {1}", place), say("end the motion earlier, by t_2 or `until`")};
 }
 
 template <class Tracer>

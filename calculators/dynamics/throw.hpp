@@ -49,7 +49,7 @@ theta = "30 deg"
       join(Fields{Field{&Input::V_0, "V_0", m_per_s, "launch speed"}.positive().usually(0.01, 1000),
                   Field{&Input::theta, "theta", deg, "launch angle above the horizontal"}.within(-90, 90),
                   Field{&Input::h, "h", m, "height of the throw above the landing, negative where it lands higher"},
-                  Field{&Input::L_req, "L_req", m, "distance that is to be reached at theta; and which angles reach it"}
+                  Field{&Input::L_req, "L_req", m, "required range at theta, and for the launch angles"}
                       .positive()
                       .may_be_missing()},
            gravity_fields<Input>());
@@ -71,7 +71,7 @@ theta = "30 deg"
   static constexpr Fields results{
       Field{&Result::V_x, "V_x", m_per_s, "horizontal speed, all the time"},
       Field{&Result::V_z, "V_z", m_per_s, "vertical launch speed"},
-      Field{&Result::t_H, "t_H", sec, "time to the highest point; 0 where it is thrown level or downwards"},
+      Field{&Result::t_H, "t_H", sec, "time to the highest point; 0 if launched horizontally or downwards"},
       Field{&Result::H, "H", m, "height of the highest point above the throw"},
       Field{&Result::t_L, "t_L", sec, "time to the landing"},
       Field{&Result::L, "L", m, "horizontal distance to the landing"},
@@ -80,11 +80,10 @@ theta = "30 deg"
       Field{&Result::theta_H, "theta_H", deg, "angle of greatest height"},
       Field{&Result::theta_R, "theta_R", deg, "angle of greatest range"},
       Field{&Result::L_max, "L_max", m, "greatest range, at theta_R"},
-      Field{&Result::theta_flat, "theta_flat", deg, "flatter of the angles that reach L_req"},
-      Field{&Result::theta_steep, "theta_steep", deg, "steeper of the angles that reach L_req"},
+      Field{&Result::theta_flat, "theta_flat", deg, "smaller of the launch angles for the range L_req"},
+      Field{&Result::theta_steep, "theta_steep", deg, "larger of the launch angles for the range L_req"},
       Field{&Result::u_h, "u_h", ratio, "landing: its height over that of the highest point, above the throw"}.check(),
-      Field{&Result::u_L, "u_L", ratio, "reach: the distance that is to be reached over that of this throw"}.check(
-          "L_req"),
+      Field{&Result::u_L, "u_L", ratio, "range: required / calculated"}.check("L_req"),
       Field{&Result::g, "g", m_per_s2, "weight per mass of the calculation"}};
 
   static constexpr std::array rules =

@@ -107,7 +107,7 @@ S_F = 1.5
                  .from("material", "R_e", "d_h"),
              modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
              diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
-             Choice{&Input::rule, "rule", "rule that decides"}.may_be_missing(),
+             Choice{&Input::rule, "rule", "governing rule"}.may_be_missing(),
              Field{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the load"}
                  .at_least(1)
                  .usually(1.2, 6)
@@ -140,7 +140,7 @@ S_F = 1.5
       Field{&Result::n_Gerber, "n_Gerber", ratio, "safety by von Mises and Gerber"},
       Field{&Result::n_elliptic, "n_elliptic", ratio, "safety by von Mises and the ellipse of ASME"},
       Field{&Result::n_Gough, "n_Gough", ratio, "safety by Gough and Pollard, with Goodman in each stress"},
-      Field{&Result::n, "n", ratio, "safety by the rule that decides"},
+      Field{&Result::n, "n", ratio, "safety factor by the governing rule"},
       Field{&Result::n_y, "n_y", ratio, "safety against yielding at the first cycle"},
       Field{&Result::u_D, "u_D", ratio, "fatigue: required / calculated safety factor"}.check().where_it_applies(),
       Field{&Result::x_v, "x_v", ratio, "limit in shear by von Mises over tau_D: above 1 shear is not covered by it"}

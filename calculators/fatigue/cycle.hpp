@@ -96,7 +96,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                  .customarily_at_least(1.2)
                  .may_be_missing()
                  .factor(),
-             ListField<Input, List<Other, most_others>>{&Input::others, "others", "cycles that are compared with it"}
+             ListField<Input, List<Other, most_others>>{&Input::others, "others", "cycles compared with this one"}
                  .may_be_missing()},
       cycles_of_metal<Input>());
 

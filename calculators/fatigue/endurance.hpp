@@ -69,7 +69,7 @@ R_z = "6.3 um"
       density_of_material(&Input::rho),
       Choice{&Input::group, "group", "group of materials"},
       Choice{&Input::loading, "loading", "loading type"},
-      Choice{&Input::rule, "rule", "rule that estimates the fatigue limit"}.may_be_missing(),
+      Choice{&Input::rule, "rule", "rule for estimating the fatigue limit"}.may_be_missing(),
       Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens, r = -1, in place of a rule"}
           .positive()
           .usually(10, 1500)
@@ -114,7 +114,7 @@ R_z = "6.3 um"
       Choice{&Input::turning, "turning", "rotating or non-rotating part, for the size factor of Marin"}
           .may_be_missing(),
       Field{&Input::h, "h", mm, "height of a non-rotating rectangular section, replaces d"}.positive().may_be_missing(),
-      Field{&Input::b, "b", mm, "width of that section"}.positive().may_be_missing(),
+      Field{&Input::b, "b", mm, "width of the rectangular section"}.positive().may_be_missing(),
       Field{&Input::k_a, "k_a", ratio, "surface factor of Marin's school, in place of one from finish"}
           .within(0.1, 1)
           .usually(0.2, 1)
@@ -149,7 +149,7 @@ R_z = "6.3 um"
       Field{&Result::k_c, "k_c", ratio, "load factor of Marin's school"},
       Field{&Result::k_d, "k_d", ratio, "temperature factor of Marin's school"},
       Field{&Result::k_e, "k_e", ratio, "reliability factor of Marin's school"},
-      Field{&Result::d_e, "d_e", mm, "diameter of the bar that turns and is as highly stressed"},
+      Field{&Result::d_e, "d_e", mm, "diameter of the equivalent rotating bar"},
       Field{&Result::sigma_D, "sigma_D", MPa, "fatigue limit of the part, r = -1, as nominal stress"},
       Field{&Result::x_d, "x_d", ratio,
             "position of d in the range of the size factor: 0 at its minimum, 1 at its maximum"}

@@ -247,7 +247,7 @@ void decide(const Input& in, const Haigh& h, const Row& row, Result& r, Tracer& 
   }
 }
 
-FieldFault lacks(const char* path, const char* what, const char* remedy) { return {path, say(what), say(remedy)}; }
+FieldFault missing(const char* path, const char* what, const char* remedy) { return {path, say(what), say(remedy)}; }
 
 // ---- figures
 
@@ -316,25 +316,26 @@ bool Life::rule_has_all(const Input& in) { return lacking(in).path.empty(); }
 FieldFault Life::lacking(const Input& in) {
   NoTrace quiet;
   if (in_shear(in) && (in.rule == MeanRule::morrow || in.rule == MeanRule::swt || in.rule == MeanRule::walker))
-    return lacks("rule", "this rule is given for normal stresses", "take goodman, gerber, elliptic, fkm or serensen");
+    return missing("rule", "this rule is given for normal stresses", "take goodman, gerber, elliptic, fkm or serensen");
   if (knows(strengths(in, Result{}, quiet), in.rule)) return {};
   switch (in.rule) {
     case MeanRule::soderberg:
     case MeanRule::elliptic:
-      return lacks("R_e", "the mean stress rule needs the yield strength R_e", "give R_e, a material, or another rule");
+      return missing("R_e", "the mean stress rule needs the yield strength R_e",
+                     "give R_e, a material, or another rule");
     case MeanRule::modified_goodman:
-      return lacks("R_e", "the rule needs the tensile and the yield strength", "give them, or a material");
+      return missing("R_e", "the rule needs the tensile and the yield strength", "give them, or a material");
     case MeanRule::morrow:
-      return lacks("sigma_f", "Morrow's rule needs the fatigue strength coefficient, or the true fracture stress",
-                   "give sigma_f, or sigma_fB; of non-ferrous metals sigma_fB");
+      return missing("sigma_f", "Morrow's rule needs the fatigue strength coefficient, or the true fracture stress",
+                     "give sigma_f, or sigma_fB; of non-ferrous metals sigma_fB");
     case MeanRule::walker:
-      return lacks("gamma", "Walker's rule needs its exponent; of steels it follows from R_m", "give gamma");
+      return missing("gamma", "Walker's rule needs its exponent; of steels it follows from R_m", "give gamma");
     case MeanRule::fkm:
-      return lacks("M", "the fields of FKM need M, or R_m of a group that FKM has", "give M");
+      return missing("M", "the fields of FKM need M, or R_m of a group that FKM has", "give M");
     case MeanRule::serensen:
-      return lacks("psi", "Serensen's rule needs psi; of steels it follows from R_m", "give psi");
+      return missing("psi", "Serensen's rule needs psi; of steels it follows from R_m", "give psi");
     default:
-      return lacks("R_m", "the mean stress rule needs the tensile strength R_m", "give it, or a material");
+      return missing("R_m", "the mean stress rule needs the tensile strength R_m", "give it, or a material");
   }
 }
 
@@ -342,20 +343,20 @@ bool Life::line_has_all(const Input& in) { return lacking_of_line(in).path.empty
 
 FieldFault Life::lacking_of_line(const Input& in) {
   if (in.line == Line::basquin && !(is_set(in.sigma_f) && is_set(in.b) && is_set(in.K_D)))
-    return lacks("b", "Basquin's line needs sigma_f, b and K_D", "K_D of fatigue.endurance; 1 of a smooth specimen");
+    return missing("b", "Basquin's line needs sigma_f, b and K_D", "K_D of fatigue.endurance; 1 of a smooth specimen");
   if (in.line == Line::slope && !is_set(in.k))
-    return lacks("k", "this line needs its slope k", "FKM has 5, in shear 8");
+    return missing("k", "this line needs its slope k", "FKM has 5, in shear 8");
   if (in.line == Line::basquin && is_set(in.sigma_D) && is_set(in.N) && in.N < cycles_of_limit(in) &&
       in.sigma_f * std::pow(2.0 * in.N, in.b) / in.K_D < in.sigma_D)
-    return lacks("b", "Basquin's line is below sigma_D at N: they are not of one part", "both hold the same K_D");
+    return missing("b", "Basquin's line is below sigma_D at N: they are not of one part", "both hold the same K_D");
   if (in.line != Line::shigley || !is_set(in.N) || in.N >= cycles_of_limit(in)) return {};
-  if (!is_set(in.R_m)) return lacks("R_m", "the finite-life line needs R_m", "give it, or line = \"slope\" with k");
+  if (!is_set(in.R_m)) return missing("R_m", "the finite-life line needs R_m", "give it, or line = \"slope\" with k");
   if (!is_set(in.f) && !is_steel(in.group))
-    return lacks("f", "the strength at 1e3 cycles is fitted for steels", "give f, or line = \"slope\" with k");
+    return missing("f", "the strength at 1e3 cycles is fitted for steels", "give f, or line = \"slope\" with k");
   NoTrace quiet;
   Result r;
   draw_line(in, strengths(in, r, quiet), r, quiet);
-  if (!is_set(r.a_N)) return lacks("f", "the strength at 1e3 cycles f R_m is not above sigma_D", "a line falls");
+  if (!is_set(r.a_N)) return missing("f", "the strength at 1e3 cycles f R_m is not above sigma_D", "a line falls");
   return {};
 }
 

@@ -74,7 +74,7 @@ S = "350 MPa"
           0.5, 0.999),
       Field{&Input::C, "C", ratio, "confidence of the interval of the slope"}.within(0.5, 0.999),
       Field{&Input::S, "S", MPa, "stress at which the life is required"}.load().positive().may_be_missing(),
-      Field{&Input::S_D, "S_D", MPa, "fatigue limit, where it is known from other tests"}.positive().may_be_missing(),
+      Field{&Input::S_D, "S_D", MPa, "fatigue limit, if known from other tests"}.positive().may_be_missing(),
       Field{&Input::N_0, "N_0", ratio, "cycles of the conventional fatigue limit: of non-ferrous metals 1e8"}
           .at_least(1)
           .may_be_missing()};

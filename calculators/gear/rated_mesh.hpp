@@ -41,7 +41,7 @@ struct RatedMesh {
       Field{&RatedMesh::b, "b", mm, "common face width"},
       Field{&RatedMesh::T_1, "T_1", N_m, "torque of gear 1, nominal"}.load(),
       Field{&RatedMesh::n_1, "n_1", rpm, "speed of gear 1"},
-      Field{&RatedMesh::K_A, "K_A", ratio, "application factor, which T_1 does not contain"},
+      Field{&RatedMesh::K_A, "K_A", ratio, "application factor K_A, not included in T_1"},
       Choice{&RatedMesh::idler, "idler", "idler gear (reversed tooth bending)"}};
 };
 

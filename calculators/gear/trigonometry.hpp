@@ -150,9 +150,9 @@ inline double arc_cosine(double x) {
   const double root = std::sqrt(z), r = upper_half(root);
   const double rest = z > 0.0 ? (z - r * r) / (root + r) : 0.0;
   const double arc = 2.0 * (r + (root * z * arc_over(z) + rest));
-  const double beside = half_pi - (x - (half_pi_rest - x * z * arc_over(z)));
+  const double near_half_pi = half_pi - (x - (half_pi_rest - x * z * arc_over(z)));
   const double behind = 2.0 * half_pi - (arc - 2.0 * half_pi_rest);
-  return far ? (x > 0.0 ? arc : behind) : beside;
+  return far ? (x > 0.0 ? arc : behind) : near_half_pi;
 }
 
 }  // namespace loadpath::numerics

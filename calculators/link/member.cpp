@@ -117,7 +117,7 @@ void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
 /// Lateral-torsional buckling of a rectangle on edge: fork ends, uniform moment, warping free.
 template <class Tracer>
 void tilting(const Input& in, Result& r, Tracer& trace) {
-  if (!Member::stands_on_edge(in)) return;
+  if (!Member::is_on_edge(in)) return;
   const double n = column::safety(in, column::method_of(in), true, trace);
   if (!is_set(in.S) && !is_set(n)) return;
   const auto sigma_M = r.sigma_M;
@@ -199,7 +199,7 @@ Applies Member::walls_pressed(const Input& in) {
   return std::max(column::compressed(in), where(abs(in.M_b) > 0.0 * N_m.one));
 }
 
-bool Member::stands_on_edge(const Input& in) {
+bool Member::is_on_edge(const Input& in) {
   const bool rectangle = !is_set(in.A) && !is_set(in.d) && column::Buckling::outline_of(in) == column::Outline::solid;
   return rectangle && in.h > in.b;
 }
@@ -214,7 +214,7 @@ bool Member::is_lean(const Input& in) {
 
 Applies Member::twisting_when_bent(const Input& in) {
   const column::Outline outline = column::Buckling::outline_of(in);
-  if (stands_on_edge(in) || is_lean(in)) return where(abs(in.M_b) > 0.0 * N_m.one);
+  if (is_on_edge(in) || is_lean(in)) return where(abs(in.M_b) > 0.0 * N_m.one);
   if (outline == column::Outline::solid && is_set(in.A) && !is_set(in.d)) return Applies::unseen;
   if (outline <= column::Outline::closed) return Applies::no;
   return where(abs(in.M_b) > 0.0 * N_m.one);

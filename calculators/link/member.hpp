@@ -164,7 +164,7 @@ S = 1.5
   static Applies sheared(const Input& in);
   static Applies compressed_and_bent(const Input& in);
   static Applies walls_pressed(const Input& in);
-  static bool stands_on_edge(const Input& in);
+  static bool is_on_edge(const Input& in);
   static Applies twisting_when_bent(const Input& in);
 
   static constexpr auto rules = join(
@@ -204,7 +204,8 @@ S = 1.5
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling",
                   &column::twisting<Input, &column::Buckling::outline_of, true>},
       Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent}.judged_by("u_t").wanting("S"),
-      Mode<Input>{"net_section", "net section rupture (holes, pins)", &unseen<Input>}.assessed_beside("pin.lug"),
+      Mode<Input>{"net_section", "net section rupture (holes, pins)", &unseen<Input>}.assessed_additionally_in(
+          "pin.lug"),
       Mode<Input>{"fatigue", "fatigue (holes, section changes)", &unseen<Input>}
           .left_to("fatigue.cycle", "cycle.fatigue")
           .or_counted_by("fatigue.history", "sigma_o, sigma_u")

@@ -35,17 +35,17 @@ struct Connection {
 
   static constexpr Fields fields{
       Choice{&Connection::fastening, "fastening", "type of fastening"},
-      Field{&Connection::T_c, "T_c", N_m, "torque that the connection is assessed for"}.holding("K_A"),
-      Field{&Connection::T_peak, "T_peak", N_m, "peak torque (start, jam) that the connection is assessed for"}.holding(
-          "K_A"),
-      Field{&Connection::F_c, "F_c", N, "axial force that the connection is assessed for"}.holding("K_A"),
+      Field{&Connection::T_c, "T_c", N_m, "torque for which the connection is assessed"}.holding("K_A"),
+      Field{&Connection::T_peak, "T_peak", N_m, "peak torque (start, jam) for which the connection is assessed"}
+          .holding("K_A"),
+      Field{&Connection::F_c, "F_c", N, "axial force for which the connection is assessed"}.holding("K_A"),
       Field{&Connection::d_c, "d_c", mm, "shaft diameter of the connection"},
       Field{&Connection::b_c, "b_c", mm, "bore of the shaft in the calculation"},
       Field{&Connection::l_c, "l_c", mm, "axial length of the connection"},
       Field{&Connection::t_c, "t_c", mm, "keyway depth in the hub"},
       Field{&Connection::D_c, "D_c", mm, "outer diameter of the hub in that calculation"},
       Field{&Connection::n_c, "n_c", rpm, "speed up to which the interference fit is assessed"},
-      Field{&Connection::r_c, "r_c", ratio, "torque ratio T_min/T_max that the connection is assessed for"},
+      Field{&Connection::r_c, "r_c", ratio, "torque ratio T_min/T_max for which the connection is assessed"},
       Field{&Connection::R_c, "R_c", MPa, "yield strength of the shaft in the calculation"}};
 };
 

@@ -178,13 +178,13 @@ FieldFault Flywheel::law_fault(const Input& in) {
   if (!gap) {
     const LawEnergy found = energy_of(*law, in.period);
     if (found.settled && shows_all(*law, end, found.energy.peak)) return {};
-    return {"M_of_phi", say("the moment has more waves in the period than can be followed"),
+    return {"M_of_phi", say("the moment has too many oscillations in the period"),
             say("give the shortest period after which it repeats, or points")};
   }
   const std::string place = format_quantity(gap.from, deg.symbol, 4);
   if (gap.from < gap.to) {
     return {"M_of_phi", say("near phi = {1} the moment jumps, or varies too fast to be followed", place),
-            say("it has a pole there, or too many waves in the period; give a jump by points")};
+            say("it has a pole there, or too many oscillations in the period; give a jump by points")};
   }
   return {"M_of_phi", say("the moment has no value at phi = {1}", place),
           say("it divides by zero there, or takes a root or an arc function outside its range")};

@@ -101,7 +101,7 @@ delta = 0.01
           .customarily_at_most(0.3)
           .may_be_missing(),
       Field{&Input::inertia, called("J"), kg_m2, "moment of inertia of a given flywheel"}.positive().may_be_missing(),
-      Field{&Input::J_0, "J_0", kg_m2, "inertia that turns with the shaft at a constant ratio, reduced to it"}.at_least(
+      Field{&Input::J_0, "J_0", kg_m2, "moment of inertia rotating at a constant ratio, reduced to the shaft"}.at_least(
           0),
       Field{&Input::eta, "eta", ratio, "efficiency between the motor and the shaft"}.within(0.01, 1),
       Field{&Input::P_n, "P_n", W, "rated power of the motor"}.positive().may_be_missing(),
@@ -131,7 +131,7 @@ delta = 0.01
       Choice{&Result::work, "work", "sign of the work over the period"},
       Field{&Result::E_low, "E_low", J, "minimum work of the moment beyond its mean, from the start"},
       Field{&Result::E_high, "E_high", J, "maximum work of the moment beyond its mean"},
-      Field{&Result::Delta_E, "Delta_E", J, "energy that the flywheel takes up and gives back"},
+      Field{&Result::Delta_E, "Delta_E", J, "energy absorbed and released by the flywheel"},
       Field{&Result::phi_fast, "phi_fast", deg, "angle of the maximum speed"},
       Field{&Result::phi_slow, "phi_slow", deg, "angle of the minimum speed"},
       Field{&Result::J_F, "J_F", kg_m2, "moment of inertia required for delta, on this shaft"},
@@ -142,7 +142,7 @@ delta = 0.01
       Field{&Result::n_min, "n_min", rpm, "minimum speed"},
       Field{&Result::P_m, "P_m", W, "mean power at the shaft; none without net work"},
       Field{&Result::P, "P", W, "mean power of the motor or of the driven machine"},
-      Field{&Result::m_rim, "m_rim", kg, "mass of a rim of that inertia"},
+      Field{&Result::m_rim, "m_rim", kg, "mass of a rim with the required inertia"},
       Field{&Result::v_rim, "v_rim", m_per_s, "speed of the rim"},
       Field{&Result::u_delta, "u_delta", ratio,
             "speed fluctuation with the given flywheel, or with J_F: calculated / permissible"}

@@ -51,7 +51,7 @@ n_2 = "1400 rpm"
     static constexpr Fields fields{
         NameField{&Part::name, "name", "name of the part"}.may_be_missing(),
         Field{&Part::inertia, called("J"), kg_m2, "moment of inertia about its own axis"}.positive(),
-        Field{&Part::u, "u", ratio, "its speed over that of the motor"}};
+        Field{&Part::u, "u", ratio, "speed of the part / motor speed"}};
   };
   struct Point {
     AngularSpeed n = unset<AngularSpeed>;
@@ -98,7 +98,7 @@ n_2 = "1400 rpm"
       Field{&Result::turns, "turns", ratio, "revolutions of the motor during the change"},
       Field{&Result::Delta_E, "Delta_E", J, "change of the kinetic energy"},
       Field{&Result::A_M, "A_M", J, "work of the motor; of a brake negative, its heat"},
-      Field{&Result::A_L, "A_L", J, "work that the load takes"},
+      Field{&Result::A_L, "A_L", J, "work done on the load"},
       Field{&Result::u_M, "u_M", ratio, "run: moment against it over the moment for it, where they are closest"}
           .check(),
       Field{&Result::u_t, "u_t", ratio, "time of the run over the allowed one"}.check("t_adm")};

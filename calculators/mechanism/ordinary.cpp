@@ -183,7 +183,7 @@ struct Ordinary::Parts {
   bool run(const Mechanism::Input& in);
   [[nodiscard]] bool is_proved(const Mechanism::Input& in, const mechanism::Model& model);
   void find_told(const Solved& solved);
-  bool tell(const Solved& solved, account::Account& account);
+  bool write_account(const Solved& solved, account::Account& account);
   bool solve(const Mechanism::Input& in, const mechanism::Model& model, Axis& axis, account::Account& account);
 
   bool by_forces;  // whether all requested results follow from forces
@@ -191,7 +191,7 @@ struct Ordinary::Parts {
   account::Modes modes;
   Verdicts verdicts;  // verdicts to be recomputed
   std::vector<Wanted> wanted;
-  std::vector<Output> told;  // that of all of them
+  std::vector<Output> outputs;  // that of all of them
   mechanism::Structure structure;
   Cycle cycle;
   Kinematics kinematics;  // no requested result reads it
@@ -262,20 +262,20 @@ bool Ordinary::Parts::is_proved(const Mechanism::Input& in, const mechanism::Mod
 
 /// Results from forces only depend on no number of the model.
 void Ordinary::Parts::find_told(const Solved& solved) {
-  if (by_forces && !told.empty()) return;
-  told.clear();
+  if (by_forces && !outputs.empty()) return;
+  outputs.clear();
   for (const Wanted& own : wanted) {
-    for (Output& output : outputs_of(own, solved.in, solved.given)) told.push_back(std::move(output));
+    for (Output& output : outputs_of(own, solved.in, solved.given)) outputs.push_back(std::move(output));
   }
 }
 
-bool Ordinary::Parts::tell(const Solved& solved, account::Account& account) {
+bool Ordinary::Parts::write_account(const Solved& solved, account::Account& account) {
   find_told(solved);
   const Magnitudes largest =
       by_forces ? magnitudes_of(solved.given, columns, numbers) : planar::magnitudes_of(solved.given, solved.cycle);
   account::Account found;
   fill_results(
-      told, told, solved, largest, [](const std::string&) { return true; }, found);
+      outputs, outputs, solved, largest, [](const std::string&) { return true; }, found);
   const bool known = std::all_of(found.results.begin(), found.results.end(), [](const account::Entry& entry) {
     return std::all_of(entry.value.si.begin(), entry.value.si.end(), [](double x) { return std::isfinite(x); });
   });
@@ -288,12 +288,12 @@ bool Ordinary::Parts::tell(const Solved& solved, account::Account& account) {
 bool Ordinary::Parts::solve(const Mechanism::Input& in, const mechanism::Model& model, Axis& axis,
                             account::Account& account) {
   if (heavy_links(model) != heavy || columns.take(model) != mechanism::Status::closed) return false;
-  if (!columns.stands_clear()) return false;  // a singular stated position is reported
-  if (has_short_segments(in)) return false;   // there may be positions to insert
+  if (!columns.is_regular_at_start()) return false;  // a singular stated position is reported
+  if (has_short_segments(in)) return false;          // there may be positions to insert
   take_schedule(in, axis);
   if (drives.size() != cycle.positions.size() || !run(in)) return false;
   const Solved solved{step, in, structure, model, model, cycle, cycle, kinematics, &axis};
-  return are_alike(judged_anew(solved), verdicts) && is_proved(in, model) && tell(solved, account);
+  return are_alike(judged_anew(solved), verdicts) && is_proved(in, model) && write_account(solved, account);
 }
 
 Ordinary::Ordinary(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}

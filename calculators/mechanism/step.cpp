@@ -275,7 +275,7 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   Solved solved{name(), in_, structure_, model, free, proved, cycle, kinematics, axis_.get()};
   solved.in_words = wanted.words;
   ask_all(&Aspect::find, solved, solved.found);
-  tell(solved, wanted);
+  write_account(solved, wanted);
   if (wanted.words || stays_in_equilibrium(in_)) return ordinary_.reset();
   ordinary_ = Ordinary::of(solved, account(), asked(wanted));
   ordinary_for_ = wanted;
@@ -310,7 +310,7 @@ std::set<std::string> MechanismStep::asked(const project::Wanted& wanted) const 
   return paths;
 }
 
-void MechanismStep::tell(const Solved& solved, const project::Wanted& wanted) {
+void MechanismStep::write_account(const Solved& solved, const project::Wanted& wanted) {
   account::Account& account = own_account();
   account = {};
   ask_all(&Aspect::judge, solved, account.verdicts);

@@ -58,7 +58,7 @@ class MechanismStep : public project::Step {
   bool solve_ordinary(const mechanism::Model& model, const project::Wanted& wanted);
   [[nodiscard]] std::set<std::string> asked(const project::Wanted& wanted) const;
   /// Verdicts, results, inputs; tables and figures where they are wanted.
-  void tell(const Solved& solved, const project::Wanted& wanted);
+  void write_account(const Solved& solved, const project::Wanted& wanted);
   void illustrate(const Solved& solved);
 
   Record as_read_;       // before it was solved for the first time

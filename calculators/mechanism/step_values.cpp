@@ -10,7 +10,7 @@ namespace loadpath::planar {
 namespace {
 
 /// The links, joints or other parts that a result can be of, if that of the path is none of them, nor near one.
-std::vector<std::string> names_beside(const std::string& path, const std::vector<std::string>& paths) {
+std::vector<std::string> sibling_names(const std::string& path, const std::vector<std::string>& paths) {
   const std::size_t point = path.find('.');
   if (point == std::string::npos) return {};
   const std::string part = path.substr(point + 1, path.find('.', point + 1) - point - 1);
@@ -37,7 +37,7 @@ Outcome<Signature> MechanismStep::signature(const std::string& path) const {
   std::vector<std::string> paths;
   for (const auto& o : outputs_) paths.push_back(o.path);
   const Message unknown = say("'{1}' has no result '{2}'", name(), path);
-  if (const auto parts = names_beside(path, paths); !parts.empty())
+  if (const auto parts = sibling_names(path, paths); !parts.empty())
     return Fault{0, path.size(), unknown, there_is(parts)};
   return Fault{
       0, path.size(), unknown,

@@ -88,7 +88,7 @@ FieldFault gap_fault(std::span<const Written> laws, double t_1, double t_2) {
       return {
           law.key,
           say("between t = {1} and {2} the law jumps, or varies too fast to be followed", time(gap.from), time(gap.to)),
-          say("it has a pole there, or the range is too long for its waves: give a shorter one")};
+          say("it has a pole there, or too many oscillations in the range: give a shorter one")};
     return {law.key, say("the law has no value, speed or acceleration at t = {1}", time(gap.from)),
             say("it divides by zero there, or takes a root or an arc function outside its range")};
   }

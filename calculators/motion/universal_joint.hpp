@@ -85,7 +85,7 @@ J_2 = "0.12 kg*m^2"
       Field{&Result::phi_equal, "phi_equal", deg, "angle of the driving shaft at which both speeds are equal"},
       Field{&Result::epsilon_max, "epsilon_max", rad_per_s2,
             "maximum angular acceleration of the driven shaft, at a constant speed of the driving one"},
-      Field{&Result::phi_max, "phi_max", deg, "angle of the driving shaft at that maximum"},
+      Field{&Result::phi_max, "phi_max", deg, "angle of the driving shaft at the maximum"},
       Field{&Result::M_J, "M_J", N_m, "maximum inertia torque on the driven shaft, J_2 epsilon_max"},
       Field{&Result::M_1, "M_1", N_m, "torque on the driving shaft at phi_1, from M_2 and J_2"}.load(),
       Field{&Result::M_1max, "M_1max", N_m, "maximum torque on the driving shaft from M_2 without inertia"}.load()};

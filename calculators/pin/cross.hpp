@@ -155,8 +155,9 @@ tau_adm_1 = "40 MPa"
       Mode<Input>{"fatigue", "fatigue of the pin by the stated loading type", &varies}.judged_by("u_tau"),
       Mode<Input>{"variation", "fatigue of the pin, loading type not stated", &may_vary}.in_service().wanting(
           "loading = pulsating"),
-      Mode<Input>{"shaft_fatigue", "shaft fatigue at the cross hole", &shaft_varies}.in_service().assessed_beside(
-          "shaft.design"),
+      Mode<Input>{"shaft_fatigue", "shaft fatigue at the cross hole", &shaft_varies}
+          .in_service()
+          .assessed_additionally_in("shaft.design"),
       Mode<Input>{"wall", "hub wall strength at the pin", &unseen<Input>},
       Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"fretting", "loosening of hub and pin", &unseen<Input>}.special()};

@@ -193,7 +193,8 @@ e_c2 = "35 mm"
       Mode<Input>{"plate_2", "end and edge distance, outer plates", &loaded}.judged_by("u_a2, u_c2"),
       Mode<Input>{"replacing", "serviceability of a replaceable pin", &replaced}.judged_by(
           "u_ms, u_s1, u_s2, u_h1, u_h2"),
-      Mode<Input>{"fatigue", "fatigue of pin and plates", &unseen<Input>}.in_service().assessed_beside("fatigue.life"),
+      Mode<Input>{"fatigue", "fatigue of pin and plates", &unseen<Input>}.in_service().assessed_additionally_in(
+          "fatigue.life"),
       Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"wear", "wear of pin and bores", &unseen<Input>}.special()};
 

@@ -29,7 +29,7 @@ struct LugLoad {
   Length d = unset<Length>, t = unset<Length>;
 
   static constexpr Fields fields{
-      Field{&LugLoad::F, "F", N, "force of the pin on it, with the application factor"}.load().holding("K_A"),
+      Field{&LugLoad::F, "F", N, "force of the pin on the lug, with the application factor"}.load().holding("K_A"),
       Field{&LugLoad::d, "d", mm, "diameter of the pin"}, Field{&LugLoad::t, "t", mm, "thickness"}};
 };
 

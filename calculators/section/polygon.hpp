@@ -41,7 +41,7 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
   struct Hole {
     List<Corner, 32> points;
     static constexpr Fields fields{
-        ListField{&Hole::points, "points", "corners of the hole, in order around it"}.as_arrays()};
+        ListField{&Hole::points, "points", "corners of the hole, in order around the edge"}.as_arrays()};
   };
   struct Input {
     List<Corner, 64> points;
@@ -53,7 +53,7 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
   static bool holes_are_inside(const Input& in);
   static FieldFault hole_outside(const Input& in);
   static constexpr Fields inputs{
-      ListField{&Input::points, "points", "corners of the contour, in order around it"}.as_arrays(),
+      ListField{&Input::points, "points", "corners of the contour, in order around the edge"}.as_arrays(),
       ListField{&Input::holes, "holes", "holes"}.may_be_missing()};
 
   using Result = Properties;

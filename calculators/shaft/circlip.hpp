@@ -32,7 +32,7 @@ struct Circlip {
       "circlip, retaining ring, snap ring, groove, axial retention, detaching speed, DIN 471, Sicherungsring, "
       "Seegerring, Ringnut, Ablösedrehzahl, стопорное кольцо, пружинное кольцо, канавка";
   static constexpr auto example = R"([project]
-title = "Ring beside a bearing on a shaft of 18 mm"
+title = "Ring next to a bearing on a shaft of 18 mm"
 
 [ring]
 calculator = "shaft.circlip"

@@ -187,7 +187,7 @@ R_e_k = "420 MPa"
       Field{&Result::x_l, "x_l", ratio, "effective key length / shaft diameter (uniform pressure up to 1.3)"}.limit(
           0, 1.3 + 1e-9),
       Field{&Result::x_d, "x_d", ratio,
-            "position of d in the range of shaft diameters that the key section is made for: above 1 the shaft is too "
+            "position of d in the range of shaft diameters of the key section: above 1 the shaft is too "
             "large, below 0 "
             "too small; key = \"?\" finds the section for d"}
           .limit(1e-9, 1 + 1e-9)

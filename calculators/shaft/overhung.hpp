@@ -120,7 +120,7 @@ tau_adm = "30 MPa"
             "minimum diameter by combined bending and torsion and by pure torsion; the neutral axis is "
             "checked at d"},
       Field{&Result::d, "d", mm, "outer diameter"},
-      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.one_of_body("bore"),
+      Field{&Result::d_bore, "d_bore", mm, "bore at d"}.one_of_body("bore"),
       Field{&Result::sigma_b, "sigma_b", MPa, "bending stress"},
       Field{&Result::tau_t, "tau_t", MPa, "torsional stress"},
       Field{&Result::sigma_M, "sigma_M", MPa, "equivalent stress by von Mises, extreme fibre"},

@@ -182,10 +182,10 @@ bool PressFit::expands_as_its_metal(Stress E, Density rho, Expansion alpha) {
 }
 
 FieldFault PressFit::nothing_left(const Input& in) {
-  const auto told = [](Length U) { return format_quantity(in_si(U), um.symbol); };
+  const auto text_of = [](Length U) { return format_quantity(in_si(U), um.symbol); };
   return {"U_min",
           say("minimum interference {1}, less {2} for roughness and {3} for heating: no usable interference remains",
-              told(in.U_min), told(0.8 * (in.Rz_1 + in.Rz_2)), told(std::max(lost_by_heat(in), none))),
+              text_of(in.U_min), text_of(0.8 * (in.Rz_1 + in.Rz_2)), text_of(std::max(lost_by_heat(in), none))),
           say("take a tighter fit, or smoother surfaces")};
 }
 

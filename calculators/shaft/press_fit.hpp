@@ -306,7 +306,7 @@ dT_adm = "250 K"
       Mode<Input>{"fatigue", "shaft fatigue and fretting, hub edge",
                   [](const Input& in) { return shown_by(in.K_A > 1.0); }}
           .in_service()
-          .assessed_beside("shaft.design"),
+          .assessed_additionally_in("shaft.design"),
       Mode<Input>{"opening", "joint gaping under bending", &unseen<Input>}.by_companions(),
       Mode<Input>{"speed", "centrifugal loss of interference",
                   [](const Input& in) { return is_set(in.n) ? where(abs(in.n) > 0.0 * rpm) : Applies::unseen; }}

@@ -48,16 +48,17 @@ double shallowness_of(Length widest, Length flattest, Length delta_c, Tracer& tr
   return NAMED_STEP("x_s", r_a / sqrt(rho_a * delta_c), "radius / decay length of edge bending");
 }
 
-/// Sizes and checks the shape that `make(delta_c)` gives for a carrying thickness. `told(e, trace)`
+/// Sizes and checks the shape that `make(delta_c)` gives for a carrying thickness. `trace_radii(e, trace)`
 /// writes its radii down, which lie e outside of those given. Returns the governing place.
-template <class Input, class Result, class Make, class Told, class Tracer>
-double assess(const Input& in, Result& r, Length scale, const Make& make, const Told& told, Tracer& trace) {
+template <class Input, class Result, class Make, class TraceRadii, class Tracer>
+double assess(const Input& in, Result& r, Length scale, const Make& make, const TraceRadii& trace_radii,
+              Tracer& trace) {
   const Stress sigma_all = r.sigma_all = allowable(in, trace);
   const Strength strength = strength_of(in, sigma_all);
   r.delta_min = ordered("delta_min", least_thickness(make, in.p, scale, strength), in, trace);
   r.delta = is_set(in.delta) ? in.delta : r.delta_min;
   r.delta_c = carrying(in, r.delta, trace);
-  told(offset(in, r.delta, r.delta_c, trace), trace);
+  trace_radii(offset(in, r.delta, r.delta_c, trace), trace);
   const auto shape = make(r.delta_c);
   const Length rho_min = trace.value("rho_min", shape.sharpest(), "minimum radius of curvature of the shell");
   STEP_TO(r, t_R, r.delta_c / rho_min, "thin walls are below 1/20, [B24]; round ones below 1/10");

@@ -87,8 +87,8 @@ template <class Tracer>
 Cone::Result Cone::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const auto make = [&](Length delta_c) { return ConeShape(in, in.R + offset(in, delta_c) * std::cos(in.alpha)); };
-  const auto told = [&](Length e, auto& tracer) { r.R_m = mean_radius(in, e, tracer); };
-  r.r = assess(in, r, in.R, make, told, trace) * r.R_m;
+  const auto trace_radii = [&](Length e, auto& tracer) { r.R_m = mean_radius(in, e, tracer); };
+  r.r = assess(in, r, in.R, make, trace_radii, trace) * r.R_m;
   r.x_s = shallowness_of(r.R_m, r.R_m / std::cos(in.alpha), r.delta_c, trace);
   return r;
 }

@@ -165,11 +165,11 @@ Cylinder::Result Cylinder::evaluate(const Input& in, Tracer& trace) {
   const Length a_r = rings(in, sigma_all, off);
   const auto mean = [&](Length delta_c) { return in.R + offset(in, delta_c); };
   const auto make = [&](Length delta_c) { return CylinderShape(in, mean(delta_c), delta_c, a_r); };
-  const auto told = [&](Length e, auto& tracer) {
+  const auto trace_radii = [&](Length e, auto& tracer) {
     r.R_m = mean_radius(in.R, e, tracer);
     if (in.ends == Ends::ringed) r.a_r = rings(in, sigma_all, tracer);
   };
-  assess(in, r, in.R, make, told, trace);
+  assess(in, r, in.R, make, trace_radii, trace);
   balance(in, r, trace);
   by_the_book(in, r, trace);
   check_rings(in, r, trace);

@@ -65,8 +65,8 @@ Ellipsoid::Result Ellipsoid::evaluate(const Input& in, Tracer& trace) {
     const Length e = offset(in, delta_c);
     return EllipsoidShape(in.a + e, in.b + e);
   };
-  const auto told = [&](Length e, auto& tracer) { mean_axes(in, r, e, tracer); };
-  const double t = assess(in, r, in.a, make, told, trace);
+  const auto trace_radii = [&](Length e, auto& tracer) { mean_axes(in, r, e, tracer); };
+  const double t = assess(in, r, in.a, make, trace_radii, trace);
   NoTrace off;
   r.r = EllipsoidShape(r.a_m, r.b_m).at(t, off).r;
   ends(in, r, trace);

@@ -159,8 +159,8 @@ Shell::Result Shell::evaluate(const Input& in, Tracer& trace) {
   Length widest = 0.0 * mm;
   for (const auto& p : in.points) widest = max(widest, p.r);
   const auto make = [&](Length delta_c) { return ShellShape(in, delta_c); };
-  const auto told = [](Length, auto&) {};
-  const double t = assess(in, r, widest, make, told, trace);
+  const auto trace_radii = [](Length, auto&) {};
+  const double t = assess(in, r, widest, make, trace_radii, trace);
   const ShellShape shell = make(r.delta_c);
   const MeridianPoint& governing = shell.points()[static_cast<std::size_t>(t)];
   r.r = from_si<Length>(governing.r), r.z = from_si<Length>(governing.z);

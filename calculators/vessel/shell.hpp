@@ -63,7 +63,7 @@ sigma_adm = "120 MPa"
   static bool held_off_axis(const Input& in);
   static constexpr Fields inputs =
       join(Fields{ListField<Input, List<Point, most_points>>{
-                      &Input::points, "points", "meridian, from the free end of the shell to where it is held"}
+                      &Input::points, "points", "meridian, from the free end of the shell to the supported end"}
                       .as_arrays(),
                   Choice<Input, Start>{&Input::start, "start", "end of the shell at a first point off the axis"}
                       .may_be_missing()},

@@ -95,8 +95,8 @@ Sphere::Result Sphere::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const auto mean = [&](Length delta_c) { return in.R + offset(in, delta_c); };
   const auto make = [&](Length delta_c) { return SphereShape(in, mean(delta_c)); };
-  const auto told = [&](Length e, auto& tracer) { r.R_m = mean_radius(in.R, e, tracer); };
-  const double t = assess(in, r, in.R, make, told, trace);
+  const auto trace_radii = [&](Length e, auto& tracer) { r.R_m = mean_radius(in.R, e, tracer); };
+  const double t = assess(in, r, in.R, make, trace_radii, trace);
   r.phi = has_liquid(in) ? t * pi : unset<double>;
   if (!has_liquid(in)) compare(ThickSphere{}, in, r, r.R_m, mean, trace);
   return r;

@@ -46,17 +46,18 @@ sigma_adm = "160 MPa"
     Length R = unset<Length>;
     double phi_s = pi / 2;
   };
-  static constexpr Fields inputs = join(
-      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface given by measured"}
-                 .at_least_that_of_source("R")
-                 .one_of_body("radius")
-                 .positive()
-                 .usually(5, 50000)},
-      wall_inputs<Input>("p, !rho?p_i"),
-      liquid_inputs<Input>("height of the liquid surface above the lowest point of the wall"),
-      Fields{Field<Input, double>{&Input::phi_s, "phi_s", deg, "ring that holds a sphere with liquid: from the top"}
-                 .within(20, 160)
-                 .may_be_missing()});
+  static constexpr Fields inputs =
+      join(Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface given by measured"}
+                      .at_least_that_of_source("R")
+                      .one_of_body("radius")
+                      .positive()
+                      .usually(5, 50000)},
+           wall_inputs<Input>("p, !rho?p_i"),
+           liquid_inputs<Input>("height of the liquid surface above the lowest point of the wall"),
+           Fields{Field<Input, double>{&Input::phi_s, "phi_s", deg,
+                                       "supporting ring of a sphere with liquid: angle from the top"}
+                      .within(20, 160)
+                      .may_be_missing()});
 
   struct Result : WallResult, LameResult {
     Length R_m = unset<Length>;

@@ -50,8 +50,8 @@ template <class Tracer>
 Torus::Result Torus::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const auto make = [&](Length delta_c) { return TorusShape(in.R_0, in.r + offset(in, delta_c)); };
-  const auto told = [&](Length e, auto& tracer) { r.r_m = tube_radius(in.r, e, tracer); };
-  assess(in, r, in.r, make, told, trace);
+  const auto trace_radii = [&](Length e, auto& tracer) { r.r_m = tube_radius(in.r, e, tracer); };
+  assess(in, r, in.r, make, trace_radii, trace);
   return r;
 }
 

@@ -157,7 +157,7 @@ constexpr auto wall_results(double thinnest = 0.05) {
       Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing location"},
       Field<Result, Stress>{&Result::sigma_v, "sigma_v", MPa,
                             "equivalent stress at the governing location, seams included"},
-      Field<Result, Stress>{&Result::p_max, "p_max", MPa, "allowable gas pressure at that thickness"},
+      Field<Result, Stress>{&Result::p_max, "p_max", MPa, "allowable gas pressure at the thickness"},
       Field<Result, double>{&Result::t_R, "t_R", ratio, "thin wall: thickness / mean radius of curvature"}.limit(
           0, thinnest * (1 + 1e-12)),
       Field<Result, double>{&Result::u_v, "u_v", ratio, "strength: equivalent stress / allowable stress"}.check()};

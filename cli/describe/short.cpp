@@ -16,27 +16,27 @@ using Type = FieldInfo::Type;
 using Words = std::vector<std::string>;
 
 /// How many lines each block may take.
-struct Room {
+struct LineBudget {
   std::size_t scope = 6, required = 9, usual = 9, assessed = 4, elsewhere = 3, results = 2;
   std::size_t named = 4;  // required inputs without a line of their own
 };
 
-/// A block gives way down to `least` lines before the next one does.
-struct Way {
-  std::size_t Room::*part;
+/// A block gives cut down to `least` lines before the next one does.
+struct Cut {
+  std::size_t LineBudget::*part;
   std::size_t least;
 };
-constexpr std::array ways{Way{&Room::usual, 6},     Way{&Room::assessed, 3}, Way{&Room::scope, 4},
-                          Way{&Room::elsewhere, 2}, Way{&Room::results, 1},  Way{&Room::usual, 4},
-                          Way{&Room::required, 6},  Way{&Room::assessed, 2}, Way{&Room::scope, 3},
-                          Way{&Room::usual, 2},     Way{&Room::required, 2}, Way{&Room::named, 2},
-                          Way{&Room::usual, 1}};
+constexpr std::array cuts{Cut{&LineBudget::usual, 6},     Cut{&LineBudget::assessed, 3}, Cut{&LineBudget::scope, 4},
+                          Cut{&LineBudget::elsewhere, 2}, Cut{&LineBudget::results, 1},  Cut{&LineBudget::usual, 4},
+                          Cut{&LineBudget::required, 6},  Cut{&LineBudget::assessed, 2}, Cut{&LineBudget::scope, 3},
+                          Cut{&LineBudget::usual, 2},     Cut{&LineBudget::required, 2}, Cut{&LineBudget::named, 2},
+                          Cut{&LineBudget::usual, 1}};
 
-/// False where nothing can give way.
-bool narrow(Room& room) {
-  const auto way = std::find_if(ways.begin(), ways.end(), [&](const Way& w) { return room.*(w.part) > w.least; });
-  if (way == ways.end()) return false;
-  --(room.*(way->part));
+/// False where nothing can give cut.
+bool narrow(LineBudget& room) {
+  const auto cut = std::find_if(cuts.begin(), cuts.end(), [&](const Cut& w) { return room.*(w.part) > w.least; });
+  if (cut == cuts.end()) return false;
+  --(room.*(cut->part));
   return true;
 }
 
@@ -71,8 +71,8 @@ void add_sized(std::span<const FieldInfo> fields, const std::string& prefix, std
   for (const FieldInfo& field : fields) {
     if (field.has_fields()) add_sized(field.fields, prefix + shown_key(field) + ".", sized);
     if (*field.searched_in == '\0') continue;
-    const std::string way = std::string("\"?\"") + (field.sought_unasked ? " or omitted: from " : ": from ");
-    sized.push_back({prefix + field.key, way + field.searched_in + "; " + field.doc});
+    const std::string cut = std::string("\"?\"") + (field.sought_unasked ? " or omitted: from " : ": from ");
+    sized.push_back({prefix + field.key, cut + field.searched_in + "; " + field.doc});
   }
 }
 
@@ -158,7 +158,7 @@ Lines named_lines(const std::string& label, const Inputs& inputs, const Words& r
 }
 
 /// Required inputs, and the rules that require one of several, while there is room.
-Lines required_lines(const Inputs& inputs, const Room& room) {
+Lines required_lines(const Inputs& inputs, const LineBudget& room) {
   const std::size_t most = room.required;
   Words rest;
   Lines lines = rows_of("Required", inputs.required, most, rest);
@@ -173,7 +173,7 @@ Lines required_lines(const Inputs& inputs, const Room& room) {
   return lines;
 }
 
-Lines input_lines(const Calculator& calculator, const Room& room) {
+Lines input_lines(const Calculator& calculator, const LineBudget& room) {
   const Inputs inputs = inputs_of(calculator);
   Lines lines = required_lines(inputs, room);
   Words more = inputs.more;
@@ -309,7 +309,7 @@ Lines example_lines(const Calculator& calculator) {
   return lines;
 }
 
-Lines short_lines(const Calculator& calculator, const Room& room) {
+Lines short_lines(const Calculator& calculator, const LineBudget& room) {
   const std::string id = calculator.id;
   Lines lines{id + "  " + calculator.title};
   append(lines, sentences(calculator.scope, room.scope));
@@ -326,7 +326,7 @@ Lines short_lines(const Calculator& calculator, const Room& room) {
 }  // namespace
 
 std::string short_form(const Calculator& calculator) {
-  Room room;
+  LineBudget room;
   Lines lines = short_lines(calculator, room);
   while (lines.size() > screen_lines && narrow(room)) lines = short_lines(calculator, room);
   std::string text;

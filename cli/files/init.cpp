@@ -104,7 +104,7 @@ std::string shell_word(const std::string& name) {
   return word + "'";
 }
 
-void tell_next(const Starter& starter, const std::string& file) {
+void print_next_steps(const Starter& starter, const std::string& file) {
   const std::string name = shell_word(file), report = shell_word(fs::path(file).replace_extension(".html").string());
   const MainValue& first = starter.values.front();
   std::cout << "written: " << file << "\n\nEdit its numbers and steps as required; next:\n"
@@ -128,7 +128,7 @@ int write(const Starter& starter, const std::string& file, const std::vector<std
   Scratch scratch;
   Staged staged(scratch);
   if (!staged.add(file, text) || !staged.finish()) return wrong_input;
-  tell_next(starter, file);
+  print_next_steps(starter, file);
   return passed;
 }
 

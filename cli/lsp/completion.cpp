@@ -71,7 +71,7 @@ void add_fields(std::span<const FieldInfo> fields, void* owner, Items& items) {
 }
 
 void add_step_keys(const Target& target, Items& items) {
-  for (const StepKey& known : keys_beside(*target.calculator)) {
+  for (const StepKey& known : general_keys(*target.calculator)) {
     const bool is_table = known.key == "display" || known.key == "accept" || known.key == "because";
     items.push_back({.label = known.key,
                      .kind = Kind::field,

@@ -57,7 +57,7 @@ std::optional<std::string> Input::next() {
     }
     std::string_view line = std::string_view(bytes_).substr(at_, end - at_);
     if (line.ends_with('\r')) line.remove_suffix(1);
-    if (const auto told = length_in(line)) length = told;
+    if (const auto given = length_in(line)) length = given;
     in_head = !line.empty();
     at_ = end + 1;
   }

@@ -45,7 +45,7 @@ std::string field_text(const Target& target) {
 
 /// The text for a key of a step other than a field.
 std::string key_text(const Target& target, const std::string& key) {
-  for (const StepKey& known : keys_beside(*target.calculator)) {
+  for (const StepKey& known : general_keys(*target.calculator)) {
     if (known.key == key) return "**" + key + "**: " + known.meaning;
   }
   return {};
@@ -107,10 +107,10 @@ std::string expression_text(const OpenFile& file, std::string_view text, std::st
   const auto signature = expression->check([&](const std::string& path) { return project.signature(path); });
   if (signature && !signature->dimension.is_number()) all += " (" + name_of(signature->dimension) + ")";
   all += "\n";
-  std::vector<std::string> told;
+  std::vector<std::string> listed;
   for (const auto& reference : expression->references()) {
-    if (std::find(told.begin(), told.end(), reference.path) != told.end()) continue;
-    told.push_back(reference.path);
+    if (std::find(listed.begin(), listed.end(), reference.path) != listed.end()) continue;
+    listed.push_back(reference.path);
     const std::string meaning = meaning_of(project, reference.path);
     if (!meaning.empty()) all += "\n- `" + reference.path + "`: " + meaning;
   }

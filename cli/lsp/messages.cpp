@@ -1,5 +1,7 @@
 #include "cli/lsp/messages.hpp"
 
+#include <boost/json.hpp>
+
 #include <algorithm>
 
 namespace loadpath::cli::lsp {

@@ -7,7 +7,7 @@
 #include "cli/lsp/hover.hpp"
 #include "cli/lsp/symbols.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <optional>
 #include <stdexcept>

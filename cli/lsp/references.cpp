@@ -102,14 +102,15 @@ void add_next_parts(const std::vector<Offer>& offers, std::string_view typed, bo
 /// The first parts: steps, values, functions.
 std::vector<Completion> first_parts(const OpenFile& file, const std::string& own) {
   std::vector<Completion> items;
-  std::vector<std::string> told{own};
+  std::vector<std::string> listed{own};
   const std::string_view text = file.document.text();
   for (const Header& header : file.outline.headers) {
     const std::string& name = header.path[0];
     const bool is_tables = name == "values" || name == "tables";
     const Calculator* const calculator = calculator_of(file.outline, text, name);
-    if (std::find(told.begin(), told.end(), name) != told.end() || (!is_tables && calculator == nullptr)) continue;
-    told.push_back(name);
+    if (std::find(listed.begin(), listed.end(), name) != listed.end() || (!is_tables && calculator == nullptr))
+      continue;
+    listed.push_back(name);
     items.push_back(
         {.label = name, .kind = Kind::module, .detail = calculator == nullptr ? "" : calculator->id, .rank = 0});
   }

@@ -4,6 +4,8 @@
 #include "cli/lsp/framing.hpp"
 #include "cli/lsp/messages.hpp"
 
+#include <boost/json.hpp>
+
 #include <utility>
 
 namespace loadpath::cli::lsp {
@@ -31,8 +33,8 @@ bool takes_snippets(const json::object& params) {
     if (next == nullptr || !next->is_object()) return false;
     at = &next->get_object();
   }
-  const json::value* const told = at->if_contains("snippetSupport");
-  return told != nullptr && told->is_bool() && told->get_bool();
+  const json::value* const supported = at->if_contains("snippetSupport");
+  return supported != nullptr && supported->is_bool() && supported->get_bool();
 }
 
 json::object capabilities() {

@@ -3,7 +3,7 @@
 
 #include "cli/lsp/open_file.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <map>
 #include <optional>

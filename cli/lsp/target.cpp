@@ -115,7 +115,7 @@ Target target_of(const Outline& outline, std::string_view text, const Path& path
   return target;
 }
 
-std::vector<StepKey> keys_beside(const Calculator& calculator) {
+std::vector<StepKey> general_keys(const Calculator& calculator) {
   std::vector<StepKey> keys{{"calculator", "calculator"}};
   if (!calculator.templates.empty()) keys.push_back({"template", "a standard mechanism, by its parameters"});
   for (const std::string& group : table_groups(calculator))

@@ -35,6 +35,6 @@ Target target_of(const Outline& outline, std::string_view text, const Path& path
 const Calculator* calculator_of(const Outline& outline, std::string_view text, const std::string& step);
 
 /// The keys of a step other than fields.
-std::vector<StepKey> keys_beside(const Calculator& calculator);
+std::vector<StepKey> general_keys(const Calculator& calculator);
 
 }  // namespace loadpath::cli::lsp

@@ -105,21 +105,21 @@ Order order_from(std::string_view bytes) {
   return order;
 }
 
-std::string bytes_of(const Hello& hello) {
+std::string bytes_of(const Handshake& handshake) {
   Packer packer;
-  packer.put(hello.parts);
-  packer.put(hello.name);
-  packer.put(hello.wrong);
+  packer.put(handshake.parts);
+  packer.put(handshake.name);
+  packer.put(handshake.wrong);
   return packer.take();
 }
 
-Hello hello_from(std::string_view bytes) {
+Handshake handshake_from(std::string_view bytes) {
   Unpacker unpacker(bytes);
-  Hello hello;
-  hello.parts = unpacker.number();
-  hello.name = unpacker.text();
-  hello.wrong = unpacker.text();
-  return hello;
+  Handshake handshake;
+  handshake.parts = unpacker.number();
+  handshake.name = unpacker.text();
+  handshake.wrong = unpacker.text();
+  return handshake;
 }
 
 std::string bytes_of(BlockRange blocks) {

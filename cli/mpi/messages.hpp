@@ -17,12 +17,12 @@ std::string bytes_of(const Order& order);
 Order order_from(std::string_view bytes);
 
 /// The number of parts that a rank takes at once; or none, with the reason.
-struct Hello {
+struct Handshake {
   std::uint64_t parts = 0;
   std::string name, wrong;  // "rank 3 on node7"
 };
-std::string bytes_of(const Hello& hello);
-Hello hello_from(std::string_view bytes);
+std::string bytes_of(const Handshake& handshake);
+Handshake handshake_from(std::string_view bytes);
 
 std::string bytes_of(project::BlockRange blocks);
 project::BlockRange blocks_from(std::string_view bytes);

@@ -16,10 +16,10 @@ Order order;                   // order for a helping rank
 bool in_sweep = false;         // the others are at work
 bool greeted = false;          // the first rank knows whether this one helps
 
-/// Sends a greeting; a rank that cannot help then waits for the end.
+/// Sends a refusal; a rank that cannot help then waits for the end.
 void greet(std::uint64_t parts, const std::string& wrong) {
   greeted = true;
-  ranks->send(0, Kind::hello, bytes_of(Hello{wrong.empty() ? parts : 0, ranks->name(), wrong}));
+  ranks->send(0, Kind::handshake, bytes_of(Handshake{wrong.empty() ? parts : 0, ranks->name(), wrong}));
   if (!wrong.empty()) static_cast<void>(ranks->wait());
 }
 
@@ -95,13 +95,13 @@ const std::string* helped_text() { return ranks->is_first() ? nullptr : &order.s
 
 int help_parts(const project::SweepWork& work, const std::string& identity, const std::string& wrong) {
   const bool same = identity == order.shared.identity;
-  const std::string told =
+  const std::string refusal =
       !wrong.empty() || same ? wrong : "reads other files than the first rank, or is another program";
   project::SweepWork own = work;
   own.rows = order.rows;
   constexpr unsigned parts_of_a_thread = 2;  // one at work, one that waits
-  greet(parts_of_a_thread * own.jobs, told);
-  if (told.empty()) solve_for_first(own);
+  greet(parts_of_a_thread * own.jobs, refusal);
+  if (refusal.empty()) solve_for_first(own);
   return 0;
 }
 

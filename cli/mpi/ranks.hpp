@@ -9,11 +9,11 @@
 namespace loadpath::cli {
 
 enum class Kind : std::uint8_t {
-  sweep,   // from the first rank: the project and the request; empty: there are no more
-  hello,   // to the first rank: number of parts taken at once, or the reason for none
-  part,    // from the first rank: blocks; none: the sweep is finished
-  solved,  // to the first rank
-  failed,  // to the first rank: an exception
+  sweep,      // from the first rank: the project and the request; empty: there are no more
+  handshake,  // to the first rank: number of parts taken at once, or the reason for none
+  part,       // from the first rank: blocks; none: the sweep is finished
+  solved,     // to the first rank
+  failed,     // to the first rank: an exception
 };
 
 struct RankMessage {

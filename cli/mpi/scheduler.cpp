@@ -22,7 +22,7 @@ std::string Scheduler::run(const SharedSweep& shared) {
     if (message) receive(*message);
     hand_out();
     if (hand_on() || message) continue;
-    tell_late();
+    report_late_ranks();
     Ranks::sleep();
   }
   for (int rank = 1; rank < ranks_.count(); ++rank) ranks_.send(rank, Kind::part, bytes_of(project::BlockRange{}));
@@ -32,18 +32,18 @@ std::string Scheduler::run(const SharedSweep& shared) {
 void Scheduler::receive(const RankMessage& message) {
   Helper& helper = helpers_[static_cast<std::size_t>(message.from)];
   last_message_ = Clock::now();
-  if (message.kind == Kind::hello) return hear(helper, hello_from(message.bytes));
+  if (message.kind == Kind::handshake) return hear(helper, handshake_from(message.bytes));
   if (message.kind == Kind::solved) return receive_part(helper, message.bytes);
   throw std::runtime_error(helper.name + ": " + message.bytes);
 }
 
-void Scheduler::hear(Helper& helper, const Hello& hello) {
+void Scheduler::hear(Helper& helper, const Handshake& handshake) {
   helper.heard = true;
-  helper.room = hello.parts;
-  helper.name = hello.name;
-  room_ += hello.parts;
-  if (hello.wrong.empty()) return;
-  if (wrong_.empty()) wrong_ = hello.name + " " + hello.wrong;
+  helper.room = handshake.parts;
+  helper.name = handshake.name;
+  room_ += handshake.parts;
+  if (handshake.wrong.empty()) return;
+  if (wrong_.empty()) wrong_ = handshake.name + " " + handshake.wrong;
   stopped_ = true;
 }
 
@@ -95,24 +95,24 @@ bool Scheduler::is_over() const {
 }
 
 /// Some are not done, and the others wait for them.
-void Scheduler::tell_late() {
+void Scheduler::report_late_ranks() {
   constexpr std::chrono::seconds patience{2};
   if (can_give() || stopped_ || Clock::now() - last_message_ < patience) return;
-  std::string told;
+  std::string listed;
   int late = 0;
   constexpr int most = 3;  // ranks named in a message
   for (std::size_t rank = 1; rank < helpers_.size(); ++rank) {
     const Helper& helper = helpers_[rank];
     if (helper.heard && helper.parts.empty()) continue;
     if (++late > most) continue;
-    if (late > 1) told += ", ";
-    told += helper.heard ? helper.name + ": " + points_of(helper.parts.front())
-                         : "rank " + std::to_string(rank) + ": it has not begun";
+    if (late > 1) listed += ", ";
+    listed += helper.heard ? helper.name + ": " + points_of(helper.parts.front())
+                           : "rank " + std::to_string(rank) + ": it has not begun";
   }
-  if (late > most) told += " and " + std::to_string(late - most) + " more";
-  if (late == 0 || late + 1 == ranks_.count() || told == told_late_) return;  // all are at work
-  listener_.wait_for_late(told);
-  told_late_ = told;
+  if (late > most) listed += " and " + std::to_string(late - most) + " more";
+  if (late == 0 || late + 1 == ranks_.count() || listed == told_late_) return;  // all are at work
+  listener_.wait_for_late(listed);
+  told_late_ = listed;
 }
 
 /// "points 512 to 1023"

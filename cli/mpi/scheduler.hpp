@@ -31,11 +31,11 @@ class Scheduler {
   using Clock = std::chrono::steady_clock;
 
   void receive(const RankMessage& message);
-  void hear(Helper& helper, const Hello& hello);
+  void hear(Helper& helper, const Handshake& handshake);
   void receive_part(Helper& helper, const std::string& bytes);
   void hand_out();
   bool hand_on();
-  void tell_late();
+  void report_late_ranks();
   [[nodiscard]] std::string points_of(const project::BlockRange& part) const;
   [[nodiscard]] bool can_give() const;
   [[nodiscard]] bool is_over() const;

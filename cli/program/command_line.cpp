@@ -59,7 +59,7 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
       "name", options.name,
       "its name if the id is only an element, e.g. shaft torsion; else an input, a result or a failure mode, e.g. "
       "shaft.torsion theta_adm; or a part: inputs, keys, templates, rules, results, modes, sources, example");
-  sub->add_option("part", options.part, "the same, where the id is two words");
+  sub->add_option("part", options.part, "input, result or failure mode, if the id is two words");
   sub->add_flag("--full", options.full, "every field, rule, result, failure mode and source");
   sub->add_flag("--toml", options.toml, "only the example, a project file that runs");
   sub->add_flag("--json", options.json, "print as one JSON object, numbers in SI");
@@ -69,7 +69,7 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
 void setup_list(CLI::App& app, ListOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("list", "calculators: all, those of an element, or those that match words");
   sub->add_option("word", options.words, "an element, e.g. shaft, or a search word: buckling, S-N, Passfeder");
-  sub->add_flag("--all", options.all, "also those that match by a failure mode or their scope");
+  sub->add_flag("--all", options.all, "include matches in failure modes and scope");
   sub->add_flag("--json", options.json, "print as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return list(options); }; });
 }

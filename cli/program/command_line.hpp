@@ -4,6 +4,8 @@
 #include "cli/files/commands.hpp"
 #include "cli/program/words.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace loadpath::cli {
 
 /// The options that words are read into; a command takes its own.

@@ -1,6 +1,8 @@
 #include "calculators/catalogue.hpp"
 #include "cli/program/words.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <map>
 

@@ -1,6 +1,8 @@
 #include "cli/files/commands.hpp"
 #include "cli/program/words.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace loadpath::cli {
 
 void setup_init(CLI::App& app, InitOptions& options, Action& action) {

@@ -9,6 +9,8 @@
 #include "lib/table/library.hpp"
 #include "lib/text/meant.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <iostream>

@@ -1,10 +1,13 @@
 // The messages for unknown words.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
 
 namespace loadpath::cli {
 

@@ -1,5 +1,7 @@
 #include "cli/program/words.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <charconv>
 #include <cstdint>
 #include <string>
@@ -57,7 +59,7 @@ void add_output(CLI::App& app, OutputOptions& output) {
   auto* const full = app.add_flag("--full", output.full, "print every part with its results and all failure modes");
   app.add_flag("--modes", output.modes, "print every failure mode: state, utilisation, basis")->excludes(full);
   app.add_flag("--quiet", output.quiet, "print errors, and the verdict line where it is not PASS");
-  app.add_flag("--strict", output.strict, "count failure modes that were not considered as not assessed: exit code 4");
+  app.add_flag("--strict", output.strict, "count failure modes not considered as not assessed (exit code 4)");
 }
 
 void add_settings(CLI::App& app, std::vector<std::string>& settings) {

@@ -1,5 +1,7 @@
 #include "cli/program/words.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace loadpath::cli {
 
 namespace {
@@ -32,7 +34,7 @@ void add_aims(CLI::App& app, SweepOptions& options) {
 /// Adds the options for results kept on the disk.
 void add_folder(CLI::App& app, SweepOptions& options) {
   app.add_option("--out", options.out, "store columns (numpy) and restart state in a folder")->type_name("DIR");
-  app.add_flag("--no-columns", options.no_columns, "keep no columns in that folder");
+  app.add_flag("--no-columns", options.no_columns, "store no columns in the folder");
   app.add_flag("--resume", options.resume, "continue the stored sweep");
   app.add_option("--status", options.status, "progress of the sweep in a folder, and the missing points")
       ->type_name("DIR");
@@ -71,7 +73,7 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
   add_folder(*sub, options);
   sub->add_option("--jobs", options.jobs, "threads (all if omitted)")->type_name("N")->check(CLI::Range(1, 1024));
   sub->add_flag("--full", options.full, "print every table instead of the designs");
-  sub->add_flag("--json", options.json, "print what is found as one JSON object");
+  sub->add_flag("--json", options.json, "print the results as one JSON object");
   sub->add_flag("--quiet", options.quiet, "print errors only");
   sub->add_flag("--strict", options.strict, "count failure modes not considered as not assessed (exit code 4)");
   sub->footer(

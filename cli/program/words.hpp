@@ -4,10 +4,14 @@
 #include "cli/commands.hpp"
 #include "cli/files/commands.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <functional>
 #include <map>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace loadpath::cli {
 

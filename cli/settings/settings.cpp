@@ -267,7 +267,7 @@ project::Project read_set(std::string_view text, const std::string& file, const 
   put_settings(tree, settings, issues);
   if (has_errors(issues)) return {};
   project::Project project = project::read_project(tree, file, catalogue(), issues, ranges);
-  if (!settings.empty()) project.meta.emplace_back("set", told(settings));
+  if (!settings.empty()) project.meta.emplace_back("set", text_of(settings));
   return project;
 }
 
@@ -280,7 +280,7 @@ terminal::SourceText source_of(const Settings& settings) {
   return {source, std::move(text)};
 }
 
-std::string told(const Settings& settings) {
+std::string text_of(const Settings& settings) {
   std::string all;
   for (const std::string& setting : settings) {
     std::vector<Issue> none;

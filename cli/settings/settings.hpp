@@ -45,6 +45,6 @@ project::Project read_set(std::string_view text, const std::string& file, const 
 terminal::SourceText source_of(const Settings& settings);
 
 /// "shaft.d = 45 mm, shaft.K_A = 1.4", for the heading of a report.
-std::string told(const Settings& settings);
+std::string text_of(const Settings& settings);
 
 }  // namespace loadpath::cli

@@ -139,8 +139,8 @@ std::string PlannedSweep::identity() const {
 
 project::ReadAgain PlannedSweep::reading() const {
   return [this] {
-    std::vector<Issue> told;
-    return read(told);
+    std::vector<Issue> found;
+    return read(found);
   };
 }
 

@@ -26,7 +26,7 @@ auto searched(const PlannedSweep& sweep, const Search& search) {
 
 /// Prints what was found other than by a sweep over all points.
 template <class Found>
-int tell_found(const PlannedSweep& sweep, const char* title, const Found& found, std::vector<report::Block> blocks) {
+int report_found(const PlannedSweep& sweep, const char* title, const Found& found, std::vector<report::Block> blocks) {
   if (sweep.options.json)
     std::cout << exports::json_of(sweep.project, found);
   else if (!sweep.options.quiet)
@@ -35,7 +35,7 @@ int tell_found(const PlannedSweep& sweep, const char* title, const Found& found,
   report::Document document;
   document.title = sweep.project.title.empty() ? sweep.project.file : sweep.project.title;
   document.meta.emplace_back(say("Project file"), sweep.project.file);
-  if (!sweep.options.settings.empty()) document.meta.emplace_back(say("set"), told(sweep.options.settings));
+  if (!sweep.options.settings.empty()) document.meta.emplace_back(say("set"), text_of(sweep.options.settings));
   document.program = program();
   document.meta.emplace_back(say("Program"), document.program);
   blocks.insert(blocks.begin(), report::Heading{2, title, "sweep"});
@@ -47,7 +47,7 @@ int tell_found(const PlannedSweep& sweep, const char* title, const Found& found,
 
 int choose(const PlannedSweep& sweep) {
   const bool most = !sweep.options.maximise.empty();
-  project::BestAsked asked;
+  project::BestRequest asked;
   asked.objective = {most ? sweep.options.maximise : sweep.options.minimise,
                      {most ? "--maximise" : "--minimise", 1, 1, 1}};
   asked.maximise = most;
@@ -59,7 +59,7 @@ int choose(const PlannedSweep& sweep) {
   const auto best =
       searched(sweep, [&](const auto& how) { return project::find_best(how, asked, sweep.project.sweep, issues); });
   if (!best) return sweep.refuse_all(issues);
-  const int code = tell_found(sweep, "The best design", *best, report::best_blocks(*best));
+  const int code = report_found(sweep, "The best design", *best, report::best_blocks(*best));
   return code == passed && !best->optimum.allowed ? int{not_passed} : code;
 }
 
@@ -69,8 +69,8 @@ int seek(const PlannedSweep& sweep) {
     return project::seek_value(how, {sweep.options.seek, {"--seek", 1, 1, 1}}, issues);
   });
   if (!sought) return sweep.refuse_all(issues);
-  const int code = tell_found(sweep, "The value sought", *sought, report::seek_blocks(*sought));
-  return code == passed && sought->sought.meetings.empty() ? int{not_passed} : code;
+  const int code = report_found(sweep, "The value sought", *sought, report::seek_blocks(*sought));
+  return code == passed && sought->sought.solutions.empty() ? int{not_passed} : code;
 }
 
 int ask_influence(const PlannedSweep& sweep) {
@@ -79,7 +79,7 @@ int ask_influence(const PlannedSweep& sweep) {
     return project::find_influence(how, sweep.points, sweep.project.sweep, sweep.options.sobol, issues);
   });
   if (!influence) return sweep.refuse_all(issues);
-  return tell_found(sweep, "Sensitivity of the results", *influence, report::influence_blocks(*influence));
+  return report_found(sweep, "Sensitivity of the results", *influence, report::influence_blocks(*influence));
 }
 
 }  // namespace loadpath::cli

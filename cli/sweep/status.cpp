@@ -34,7 +34,7 @@ void show(const FolderStatus& status, const SweepOptions& options) {
 
 }  // namespace
 
-int tell_status(const SweepOptions& options) {
+int print_status(const SweepOptions& options) {
   const auto status = exports::status_of(options.status);
   if (!status) {
     std::cerr << "loadpath: " << status.fault().message.text() << "\n";

@@ -6,6 +6,6 @@
 namespace loadpath::cli {
 
 /// The exit code: not_passed where points are missing.
-int tell_status(const SweepOptions& options);
+int print_status(const SweepOptions& options);
 
 }  // namespace loadpath::cli

@@ -36,7 +36,7 @@ using exports::SweepStore;
 std::atomic<bool> interrupted_by_user = false;
 
 /// Reports a sweep of a project in which nothing varies.
-void tell_nothing_varies(const std::string& file) {
+void warn_nothing_varies(const std::string& file) {
   std::cerr << "loadpath: nothing to vary in '" << file << "': this sweep has one point, that of `loadpath run`\n"
             << "  = help: give an input a range or a list: d = { from = \"20 mm\", to = \"40 mm\", count = 11 }, or "
                "d = [\"20 mm\", \"25 mm\"]\n";
@@ -53,7 +53,7 @@ class Sweeping {
   [[nodiscard]] Outcome<SweepStore> open_store() const;
   [[nodiscard]] std::string what_is_left(const SweepStore& store) const;
   [[nodiscard]] bool solve(SweepStore* store, project::SweepStatistics& found);
-  [[nodiscard]] int tell(const project::SweepStatistics& found) const;
+  [[nodiscard]] int print_results(const project::SweepStatistics& found) const;
   int run_in_folder(project::SweepStatistics& found);
 
   PlannedSweep& sweep_;
@@ -133,7 +133,7 @@ std::optional<std::uint64_t> worst_point(const project::SweepStatistics& found) 
   return worst.empty() ? std::nullopt : std::optional(worst.front().index);
 }
 
-int Sweeping::tell(const project::SweepStatistics& found) const {
+int Sweeping::print_results(const project::SweepStatistics& found) const {
   report::DrawnPoints drawn;
   if (!options_.reports.empty()) drawn = report::points_to_draw(sweep_.points, found, sweep_.blocks, sweep_.reading());
   const report::Document document = report::sweep_document(sweep_.project, sweep_.points, found, program(), drawn);
@@ -158,7 +158,7 @@ int Sweeping::run() {
   project::SweepStatistics found = project::nothing_found(sweep_.points, sweep_.project, sweep_.keep);
   if (!options_.out.empty()) return run_in_folder(found);
   if (!solve(nullptr, found)) return wrong_input;
-  return interrupted_by_user ? int{interrupted} : tell(found);
+  return interrupted_by_user ? int{interrupted} : print_results(found);
 }
 
 int Sweeping::run_in_folder(project::SweepStatistics& found) {
@@ -171,7 +171,7 @@ int Sweeping::run_in_folder(project::SweepStatistics& found) {
   } else if (const Message wrong = store->save(); !wrong.empty()) {  // written after the last state by a killed process
     return refuse(wrong.text());
   }
-  if (store->left().count() == 0) return tell(store->found());
+  if (store->left().count() == 0) return print_results(store->found());
   std::cerr << what_is_left(*store);
   return interrupted;
 }
@@ -215,7 +215,7 @@ int answer(PlannedSweep& sweep) {
   std::vector<Issue> open;
   project::refuse_open_ranges(sweep.points, open);
   if (has_errors(open)) return sweep.refuse_all(open);
-  if (sweep.points.inputs.empty() && !options.quiet) tell_nothing_varies(options.file);
+  if (sweep.points.inputs.empty() && !options.quiet) warn_nothing_varies(options.file);
   return Sweeping(sweep).run();
 }
 
@@ -227,7 +227,7 @@ int sweep(const SweepOptions& options) {
     return help(sweep);
   }
   if (const std::string wrong = contradiction(options); !wrong.empty()) return refuse(wrong);
-  if (!options.status.empty()) return tell_status(options);
+  if (!options.status.empty()) return print_status(options);
   if (const auto refused = refuse_outputs(options)) return *refused;
   std::string text;
   if (!toml::read_file(options.file, text))

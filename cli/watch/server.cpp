@@ -64,10 +64,10 @@ class Listener : public std::enable_shared_from_this<Listener> {
     waiting_ =
         "HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n";
     watch_end();
-    tell();
+    notify();
   }
   /// Sends the newest revision; of several during one write only the last.
-  void tell() {
+  void notify() {
     if (writing_) {
       is_late_ = true;
       return;
@@ -80,7 +80,7 @@ class Listener : public std::enable_shared_from_this<Listener> {
       self->writing_ = false;
       self->waiting_.clear();
       if (error) return self->leave();
-      if (std::exchange(self->is_late_, false)) self->tell();
+      if (std::exchange(self->is_late_, false)) self->notify();
     });
   }
 
@@ -200,7 +200,7 @@ std::string Server::address() const {
 void Server::publish(Revision revision) {
   state_->revision = std::move(revision);
   const auto listeners = state_->listeners;  // one may leave during the loop
-  for (const auto& listener : listeners) listener->tell();
+  for (const auto& listener : listeners) listener->notify();
 }
 
 }  // namespace loadpath::cli

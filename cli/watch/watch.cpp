@@ -62,7 +62,7 @@ class Watch {
       files_.watch({file});
       revision_.problem = "cannot read '" + options_.file + "'\n";
       std::cerr << "loadpath: " << revision_.problem << std::flush;
-      tell_unsolved();
+      print_unsolved();
     }
     server_.publish(revision_);
   }
@@ -77,20 +77,20 @@ class Watch {
     watch_files(file, project);
     if (has_errors(issues)) {
       revision_.problem = terminal::issues_text(issues, sources);
-      return tell_unsolved();
+      return print_unsolved();
     }
     const report::Document document = report::build(project, program(), report::Detail::normal, file.text);
     revision_.page = report::html(document);
     std::cout << revision_.number << ": " << report::tally(document.summary).text() << "\n" << std::flush;
   }
 
-  void tell_unsolved() const {
+  void print_unsolved() const {
     std::cout << revision_.number << ": cannot be solved; the page shows the last that could\n" << std::flush;
   }
 
   void watch_files(const ReadFile& file, const project::Project& project) {
     std::vector<ReadFile> files{file};
-    for (const project::NamedFile& beside : project.files) files.push_back({beside.name, beside.text, true});
+    for (const project::NamedFile& named : project.files) files.push_back({named.name, named.text, true});
     files_.watch(std::move(files));
   }
 

@@ -47,14 +47,14 @@ std::vector<Message> wordings_of(const Mode& mode, const std::string& subject) {
 }
 
 /// A mode assessed by another step is reported under that step.
-Message of_failures(Modes sorted, const Telling& telling) {
+Message of_failures(Modes sorted, const ExplanationOptions& options) {
   std::erase_if(sorted, [](const Mode& mode) { return is_assessed_elsewhere(mode); });
   const auto count = std::ranges::count(sorted, State::fail, &Mode::state);
-  std::vector<Message> wordings = wordings_of(sorted.front(), telling.subject);
+  std::vector<Message> wordings = wordings_of(sorted.front(), options.subject);
   for (Message& wording : wordings) {
     if (count > 1) wording = say("{1}; and {2} more", wording, std::to_string(count - 1));
   }
-  return first_in(telling.room, std::move(wordings));
+  return first_in(options.room, std::move(wordings));
 }
 
 Message of_gaps(const Modes& sorted, const Conclusion& all, std::size_t room) {
@@ -110,16 +110,16 @@ Message not_considered(const std::vector<std::string>& names, std::size_t room) 
 }
 
 /// The coverage of a pass, and its exclusions.
-Message of_pass(const Modes& sorted, const Conclusion& all, const Telling& telling) {
+Message of_pass(const Modes& sorted, const Conclusion& all, const ExplanationOptions& options) {
   if (all.modes() == all.count(Group::not_considered)) return say("no failure mode is assessed here");
   const std::size_t passed = all.count(Group::passes) + all.count(Group::accepted);
   const auto left = strength_not_considered(sorted);
   const Message covered =
       passed == 1 ? say("1 failure mode assessed") : say("{1} failure modes assessed", std::to_string(passed));
   if (left.empty()) return covered;
-  const Message first = telling.subject.empty() ? covered : say("{1} only", telling.subject);
+  const Message first = options.subject.empty() ? covered : say("{1} only", options.subject);
   const std::size_t used = size_of(first) + 2;
-  return say("{1}; {2}", first, not_considered(left, telling.room > used ? telling.room - used : 0));
+  return say("{1}; {2}", first, not_considered(left, options.room > used ? options.room - used : 0));
 }
 
 }  // namespace
@@ -189,25 +189,25 @@ std::string short_title(const Mode& mode) {
   return first;
 }
 
-Message explanation(const Modes& modes, const Telling& telling) {
+Message explanation(const Modes& modes, const ExplanationOptions& options) {
   const Conclusion all = conclude(modes);
   const Modes sorted = in_order(modes);
   switch (all.headline) {
     case Headline::fail:
-      return of_failures(sorted, telling);
+      return of_failures(sorted, options);
     case Headline::no_solution: {
       const Mode& search = *std::ranges::find_if(sorted, is_search);
       const std::string note = search.note.text();
-      return first_in(telling.room, {say("{1}: {2}", search.step, note),
+      return first_in(options.room, {say("{1}: {2}", search.step, note),
                                      say("{1}: {2}", search.step, note.substr(0, note.find(", nearest"))),
                                      say("{1}: no size passes", search.step)});
     }
     case Headline::incomplete:
-      return of_gaps(sorted, all, telling.room);
+      return of_gaps(sorted, all, options.room);
     case Headline::pass:
       break;
   }
-  return of_pass(sorted, all, telling);
+  return of_pass(sorted, all, options);
 }
 
 }  // namespace loadpath::account

@@ -38,12 +38,12 @@ Conclusion conclude(const Modes& modes);
 
 /// How the headline is explained: in so many characters where that is possible; `subject`: what the modes of the only
 /// step cover, "torsion".
-struct Telling {
+struct ExplanationOptions {
   std::size_t room = 120;
   std::string subject = {};
 };
 /// The reason for the headline: "3 of 56 failure modes are outside the scope of loadpath".
-Message explanation(const Modes& modes, const Telling& telling = {});
+Message explanation(const Modes& modes, const ExplanationOptions& options = {});
 
 /// Whether another step has assessed the mode, and has it among its own.
 bool is_assessed_elsewhere(const Mode& mode);

@@ -42,7 +42,7 @@ Message names_of(Part first, Part last, std::ptrdiff_t most) {
 
 /// State by state; `most`: how many of a state are named.
 template <class Most>
-Message told(const Modes& modes, const Most& most) {
+Message listed(const Modes& modes, const Most& most) {
   if (modes.empty()) return say("no failure mode is assessed here");
   const Modes sorted = in_order(modes);
   Message all;
@@ -98,12 +98,12 @@ Modes in_order(Modes modes) {
 Message shown(const Mode& mode) { return is_outside(mode) ? say("outside the scope") : shown(mode.state); }
 
 Message scope(const Modes& modes) {
-  return told(modes, [](State) { return std::numeric_limits<std::ptrdiff_t>::max(); });
+  return listed(modes, [](State) { return std::numeric_limits<std::ptrdiff_t>::max(); });
 }
 
 Message brief_scope(const Modes& modes) {
   constexpr std::ptrdiff_t most_passing = 8, most_open = 4, all = std::numeric_limits<std::ptrdiff_t>::max();
-  return told(modes, [](State state) {
+  return listed(modes, [](State state) {
     return state == State::pass ? most_passing : state == State::open ? most_open : all;
   });
 }

@@ -27,7 +27,7 @@ constexpr double rounding = 1e-12;
 void clean(double& one, double largest) { one = std::abs(one) < rounding * largest ? 0.0 : one; }
 void enlarge(double& largest, double one) { largest = std::max(largest, std::abs(one)); }
 
-void clean(Bent& bent) {
+void clean(LoadedBeam& bent) {
   Node most;
   for (const Node& node : bent.nodes) enlarge(most.v, node.v), enlarge(most.slope, node.slope);
   for (Node& node : bent.nodes) clean(node.v, most.v), clean(node.slope, most.slope);
@@ -97,7 +97,7 @@ void Beam::displace(std::span<double> unknowns) const {
   factors_.solve(unknowns);
 }
 
-Bent Beam::bend(std::span<const Load> loads, std::span<const OfEnds> along) const {
+LoadedBeam Beam::bend(std::span<const Load> loads, std::span<const OfEnds> along) const {
   Row<double> forces(nodes());
   Unknowns u(2 * nodes());
   for (const Load& load : loads) {
@@ -109,7 +109,7 @@ Bent Beam::bend(std::span<const Load> loads, std::span<const OfEnds> along) cons
     for (std::size_t i = 0; i < 4; ++i) u[2 * s + i] += along[s][i];
   }
   displace(u);
-  Bent bent;
+  LoadedBeam bent;
   bent.nodes.resize(nodes());
   for (std::size_t n = 0; n < nodes(); ++n) bent.nodes[n] = {u[2 * n], u[2 * n + 1]};
   bent.spans.resize(spans_.size());
@@ -132,7 +132,7 @@ Row<double> Beam::flexibilities() const {
   return each;
 }
 
-bool Beam::hums_above(std::span<const double> masses, double square) const {
+bool Beam::has_no_frequency_below(std::span<const double> masses, double square) const {
   return assembled(masses, square).factor(0.0);
 }
 

@@ -72,7 +72,7 @@ struct Ends {
 };
 
 /// A loaded beam: nodes, the ends of every span, and the force of every support on the beam.
-struct Bent {
+struct LoadedBeam {
   Row<Node> nodes;
   Row<Ends> spans;
   OfSupports<double> reactions;
@@ -87,7 +87,7 @@ class Beam {
 
   /// Deflection under forces and couples at nodes, and end forces of the load along each span; `along` empty: there
   /// is none.
-  [[nodiscard]] Bent bend(std::span<const Load> loads, std::span<const OfEnds> along = {}) const;
+  [[nodiscard]] LoadedBeam bend(std::span<const Load> loads, std::span<const OfEnds> along = {}) const;
 
   /// Replaces forces and couples at each node by its displacement and slope.
   void displace(std::span<double> unknowns) const;
@@ -96,7 +96,7 @@ class Beam {
   [[nodiscard]] Row<double> flexibilities() const;
 
   /// Whether masses at the nodes have no frequency below that of this square, rad^2/s^2.
-  [[nodiscard]] bool hums_above(std::span<const double> masses, double square) const;
+  [[nodiscard]] bool has_no_frequency_below(std::span<const double> masses, double square) const;
 
   /// Whether a node cannot move.
   [[nodiscard]] bool is_held(std::size_t node) const;

@@ -38,13 +38,13 @@ constexpr std::size_t most_steps = 40;
 
 /// A symmetric matrix with a diagonal and its neighbour.
 struct Tridiagonal {
-  boost::container::static_vector<double, most_steps> diagonal, beside;
+  boost::container::static_vector<double, most_steps> diagonal, off_diagonal;
 
   /// Whether an eigenvalue is above x.
   [[nodiscard]] bool reaches(double x) const {
     double pivot = 1.0;
     for (std::size_t i = 0; i < diagonal.size(); ++i) {
-      pivot = diagonal[i] - x - (i == 0 ? 0.0 : beside[i - 1] * beside[i - 1] / pivot);
+      pivot = diagonal[i] - x - (i == 0 ? 0.0 : off_diagonal[i - 1] * off_diagonal[i - 1] / pivot);
       if (pivot > 0.0) return true;
       if (pivot == 0.0) pivot = -std::numeric_limits<double>::min();
     }
@@ -62,7 +62,7 @@ struct Tridiagonal {
 };
 
 /// The flexibility between the masses, each force and displacement times the root of its mass.
-struct Humming {
+struct ScaledFlexibility {
   const Beam& beam;
   Row<double> roots;  // square roots of the masses
 
@@ -84,22 +84,22 @@ struct Humming {
 
 /// Converged when another step changes nothing, and no eigenvalue is below.
 double lowest_of(const Beam& beam, std::span<const double> masses, const Row<double>& bent) {
-  constexpr double settled = 1e-12, beside = 1e-5;
-  Humming humming{beam, {}};
-  for (const double mass : masses) humming.roots.push_back(std::sqrt(mass));
+  constexpr double settled = 1e-12, margin = 1e-5;
+  ScaledFlexibility flexibility{beam, {}};
+  for (const double mass : masses) flexibility.roots.push_back(std::sqrt(mass));
   std::array<Row<double>, most_steps> basis;
   Tridiagonal matrix;
-  Row<double> next = humming.first(bent);
+  Row<double> next = flexibility.first(bent);
   double found = 0.0;
   for (std::size_t step = 0; step < most_steps; ++step) {
     const double size = std::sqrt(product(next, next));
     if (step > 0) {
       if (!(size > settled * found)) break;  // there are no more modes than that
-      matrix.beside.push_back(size);
+      matrix.off_diagonal.push_back(size);
     }
     for (double& x : next) x /= size;
     basis[step] = next;
-    next = humming(next);
+    next = flexibility(next);
     matrix.diagonal.push_back(product(next, basis[step]));
     for (int twice = 0; twice < 2; ++twice) {  // at right angles to all before it, to rounding
       for (std::size_t k = 0; k <= step; ++k) {
@@ -110,10 +110,10 @@ double lowest_of(const Beam& beam, std::span<const double> masses, const Row<dou
     const double before = found;
     found = matrix.largest();
     const bool still = step > 0 && found - before <= settled * found;
-    if (still && beam.hums_above(masses, (1.0 - beside) / found)) return 1.0 / std::sqrt(found);
+    if (still && beam.has_no_frequency_below(masses, (1.0 - margin) / found)) return 1.0 / std::sqrt(found);
   }
-  return beam.hums_above(masses, (1.0 - beside) / found) ? 1.0 / std::sqrt(found)
-                                                         : std::numeric_limits<double>::quiet_NaN();
+  return beam.has_no_frequency_below(masses, (1.0 - margin) / found) ? 1.0 / std::sqrt(found)
+                                                                     : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace

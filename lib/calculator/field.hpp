@@ -40,11 +40,11 @@ constexpr const char* called(const char* key) { return key; }
 struct Provider {
   enum class Kind { none, table, companion };
   Kind kind = Kind::none;
-  const char* table = "";   // table: "material", also the key of the step that names the row
-  const char* column = "";  // table: "R_e"; companion: the input whose source also gives this value ("T")
-  const char* size = "";    // table: the result or input that the value depends on ("d")
-  const char* unless = "";  // table: the value is not needed where this input is given
-  bool may_lack = false;    // table: rows without the column leave the input as it is
+  const char* table = "";          // table: "material", also the key of the step that names the row
+  const char* column = "";         // table: "R_e"; companion: the input whose source also gives this value ("T")
+  const char* size = "";           // table: the result or input that the value depends on ("d")
+  const char* unless = "";         // table: the value is not needed where this input is given
+  bool may_be_incomplete = false;  // table: rows without the column leave the input as it is
 };
 
 /// The words of a choice. Specialise `choices_of` for the enum class.
@@ -142,7 +142,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   /// From a row that may have no such column at any size: the input then stays as if no row were named.
   [[nodiscard]] constexpr Field where_it_has() const {
     Field f = *this;
-    f.provider.may_lack = true;
+    f.provider.may_be_incomplete = true;
     return f;
   }
   /// A load component of the source of another input: for a driving moment, the force on its joint.

@@ -23,7 +23,7 @@ struct Described {
   std::optional<Role> role = {};    // default: that of the list, input or result
   bool optional = false;            // an input that may be missing (see its rule or default)
   bool is_load = false;             // a load on this part, or on another part by it; not a capacity
-  bool is_beside = false;           // a result that is shown, and never part of a verdict
+  bool is_informative = false;      // a result that is shown, and never part of a verdict
   const char* same_as_source = "";  // an input: see same_as_that_of_source
   bool is_chosen = false;           // a result that is a choice of the step: a section, a drive
   bool is_as_given = false;         // a result that is the input of its key where that is given
@@ -73,9 +73,9 @@ struct Described {
   }
   /// A result that is shown but not part of a verdict: by another school, of a sum that other checks assess in parts,
   /// of alternative methods.
-  [[nodiscard]] constexpr Self beside() const {
+  [[nodiscard]] constexpr Self informative() const {
     Self s = self();
-    s.is_beside = true;
+    s.is_informative = true;
     return s;
   }
   /// A quantity that a body has once, by this name, "torque": in steps of one body the less favourable value holds, and

@@ -107,13 +107,13 @@ struct Mode : ModeInfo {
     return mode;
   }
   /// Assessed by an additional step of one of these calculators.
-  [[nodiscard]] constexpr Mode assessed_beside(const char* calculators) const {
+  [[nodiscard]] constexpr Mode assessed_additionally_in(const char* calculators) const {
     Mode mode = *this;
     mode.add = calculators;
     return mode;
   }
-  /// After assessed_beside: assessed where each element of this list has such a step, which takes a size of the element
-  /// and its load, from the elements of `results` before and behind it.
+  /// After assessed_additionally_in: assessed where each element of this list has such a step, which takes a size of
+  /// the element and its load, from the elements of `results` before and behind it.
   [[nodiscard]] constexpr Mode for_each_of(const char* list, const char* results) const {
     Mode mode = *this;
     mode.each = list;

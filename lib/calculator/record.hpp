@@ -42,7 +42,7 @@ struct FieldInfo {
   Role role = Role::input;
   bool optional = false;
   bool is_load = false;
-  bool is_beside = false;
+  bool is_informative = false;
   bool is_of_body = false;
   const char* shared_as = "";
   bool is_chosen = false;

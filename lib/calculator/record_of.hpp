@@ -35,7 +35,7 @@ constexpr FieldInfo described(const detail::Described<Self>& field, FieldInfo::T
   info.shared_as = field.shared_as;
   info.is_chosen = field.is_chosen;
   info.is_as_given = field.is_as_given;
-  info.is_beside = field.is_beside;
+  info.is_informative = field.is_informative;
   info.same_as_source = field.same_as_source;
   return info;
 }

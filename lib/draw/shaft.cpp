@@ -136,7 +136,7 @@ void ShaftPicture::place_torques(const figure::Shaft& shaft) {
 void ShaftPicture::place_labels_above(Rows& rows) {
   constexpr double off_sign = torque_radius + 3.0;
   for (const Cylinder& c : cylinders_) {
-    if (lies_inside(c) || stands_inside(c)) continue;
+    if (fits_along(c) || fits_upright(c)) continue;
     Text text = diameter_label(c);
     if (c.bore > 0.0) text.push_back({say(", bore {1}", diameter_text(c.part->bore)).text(), Run::Face::words});
     const double half = 0.5 * width(text, text_size), middle = 0.5 * (c.left + c.right);
@@ -220,8 +220,8 @@ void ShaftPicture::draw_bores() {
 
 void ShaftPicture::draw_diameter(const Cylinder& c) {
   constexpr double head = 7.0, gap = 5.0;
-  const bool lies = lies_inside(c);
-  if (!lies && !stands_inside(c)) return;
+  const bool lies = fits_along(c);
+  if (!lies && !fits_upright(c)) return;
   const Text text = diameter_label(c);
   const std::string bore = diameter_text(c.part->bore);
   const double wide = width(text, text_size), middle = 0.5 * (c.left + c.right);

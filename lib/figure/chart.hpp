@@ -40,7 +40,7 @@ struct Chart {
   bool is_limited = false;     // at the level 1, if that decides
 
   std::vector<std::uint64_t> points;  // the number of each dot
-  std::vector<Column> told;
+  std::vector<Column> readout;
   std::string command;    // command that solves a point separately, without its number
   std::size_t shown = 0;  // dot that is shown first
 };

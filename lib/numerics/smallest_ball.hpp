@@ -28,7 +28,7 @@ double squared_distance(const Place<dim>& a, const Place<dim>& b) {
 
 /// Up to dim + 2 points, which is as many as are ever looked at together.
 template <std::size_t dim>
-struct Few {
+struct PointSet {
   std::array<Place<dim>, dim + 2> at{};
   std::size_t count = 0;
 };
@@ -54,7 +54,7 @@ bool solve(std::array<std::array<double, dim + 1>, dim>& rows, std::size_t n) {
 /// The smallest ball with all these points on its surface; radius below 0 if they are not corners of one. Lengths
 /// are made free of their size first.
 template <std::size_t dim>
-Ball<dim> through(const Few<dim>& corners) {
+Ball<dim> through(const PointSet<dim>& corners) {
   Ball<dim> ball{corners.at[0], 0.0};
   const std::size_t n = corners.count - 1;
   double size = 0.0;
@@ -81,7 +81,7 @@ Ball<dim> through(const Few<dim>& corners) {
 }
 
 template <std::size_t dim>
-bool holds(const Ball<dim>& ball, const Few<dim>& points) {
+bool holds(const Ball<dim>& ball, const PointSet<dim>& points) {
   for (std::size_t i = 0; i < points.count; ++i) {
     if (std::sqrt(squared_distance<dim>(points.at[i], ball.centre)) > ball.radius * (1.0 + 1e-10)) return false;
   }
@@ -90,11 +90,11 @@ bool holds(const Ball<dim>& ball, const Few<dim>& points) {
 
 /// The smallest ball of a few points, by trying every choice of corners; the corners stay, the others go.
 template <std::size_t dim>
-Ball<dim> ball_of(Few<dim>& points) {
+Ball<dim> ball_of(PointSet<dim>& points) {
   Ball<dim> best{{}, -1.0};
-  Few<dim> kept;
+  PointSet<dim> kept;
   for (unsigned choice = 1; choice < (1U << points.count); ++choice) {
-    Few<dim> corners;
+    PointSet<dim> corners;
     for (std::size_t i = 0; i < points.count; ++i) {
       if ((choice >> i & 1U) != 0U) corners.at[corners.count++] = points.at[i];
     }
@@ -115,7 +115,7 @@ Ball<dim> ball_of(Few<dim>& points) {
 template <std::size_t dim, class PointAt>
 Ball<dim> smallest_ball(std::size_t count, const PointAt& point) {
   constexpr int most_steps = 100;
-  detail::Few<dim> corners;
+  detail::PointSet<dim> corners;
   corners.at[0] = point(std::size_t{0}), corners.count = 1;
   Ball<dim> ball{corners.at[0], 0.0};
   for (int step = 0; step < most_steps; ++step) {

@@ -69,10 +69,10 @@ bool is_same(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 /// Whether an input of the assessing step has the value of the part; values that the part leaves open are its own.
-/// `beside`: the fields that the record fills, "notches[2].", and the path before their keys.
-bool agrees(const Step& judge, const std::string& beside, const Step& part, const Member& member) {
+/// `prefix`: the fields that the record fills, "notches[2].", and the path before their keys.
+bool agrees(const Step& judge, const std::string& prefix, const Step& part, const Member& member) {
   const auto& inputs = judge.account().inputs;
-  const std::string path = beside + member.key;
+  const std::string path = prefix + member.key;
   const auto input = std::find_if(inputs.begin(), inputs.end(), [&](const Entry& entry) { return entry.path == path; });
   const bool has_field = find_field_at(judge.input().calculator->input->fields, path) != nullptr;
   if (member.is_word) {
@@ -105,11 +105,11 @@ bool takes(const Step& judge, const Step& part, const Names& record) {
   const auto members = part.members(record.front());
   const auto& records = judge.input().reading.records;
   return std::any_of(records.begin(), records.end(), [&](const Taken& taken) {
-    const std::string beside = taken.path.substr(0, taken.path.rfind('.') + 1);
+    const std::string prefix = taken.path.substr(0, taken.path.rfind('.') + 1);
     const bool named = std::any_of(record.begin(), record.end(),
                                    [&](const std::string& name) { return taken.source == part.name() + "." + name; });
     return named &&
-           std::all_of(members.begin(), members.end(), [&](const Member& m) { return agrees(judge, beside, part, m); });
+           std::all_of(members.begin(), members.end(), [&](const Member& m) { return agrees(judge, prefix, part, m); });
   });
 }
 
@@ -301,7 +301,7 @@ account::Unjudged unjudged_of(const Step& step, const ModeInfo& info, const Chec
     by.state[static_cast<std::size_t>(applies)] = account::number(state);
   }
   // A check passed under a load without its factor may fail under the full load.
-  if (info.kind == ModeKind::strength && !step.loads().lacking_factor.empty())
+  if (info.kind == ModeKind::strength && !step.loads().missing_factor.empty())
     by.passed = account::number(State::not_judged);
   return by;
 }
@@ -334,9 +334,9 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
                     : say("give {1}, or add a step of {3} that takes {2}", mode.wants, records, info.judge);
   }
   const bool passes = !rows.empty() && governing(rows).state == State::pass;
-  if (passes && !step.loads().lacking_factor.empty()) {
+  if (passes && !step.loads().missing_factor.empty()) {
     mode.wants.clear();
-    mode.note = step.loads().lacking_factor;
+    mode.note = step.loads().missing_factor;
   }
   if (info.by_rest && !step.loads().left.empty()) {
     mode.note = *info.use != '\0'
@@ -355,7 +355,8 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
   }
 }
 
-void explain_decided(const std::vector<const account::Verdict*>& rows, const Bolder& bolder, account::Mode& mode) {
+void explain_decided(const std::vector<const account::Verdict*>& rows, const LessConservative& bolder,
+                     account::Mode& mode) {
   mode.governs = governing(rows).symbol;
   mode.compared = governing(rows).compared;
   mode.at = governing(rows).at;
@@ -368,7 +369,7 @@ void explain_decided(const std::vector<const account::Verdict*>& rows, const Bol
 
 std::optional<account::Mode> judged(const Step& step, const ModeInfo& info, Applies applies,
                                     const std::vector<const account::Verdict*>& rows, const CheckNeeds& needs,
-                                    const Bolder& bolder) {
+                                    const LessConservative& bolder) {
   account::Mode mode;
   mode.step = step.name();
   mode.id = info.id;

@@ -34,7 +34,7 @@ account::Unjudged unjudged_of(const Step& step, const ModeInfo& mode, const Chec
 /// A typed value that decides a mode and is more favourable than the row or record for its field: `wants` names the
 /// missing justification, and holds the mode back; if empty, the user has justified it, with the reason in `why`. An
 /// empty `why` means there is no such value.
-struct Bolder {
+struct LessConservative {
   std::string wants;
   Message why;
 };
@@ -42,7 +42,7 @@ struct Bolder {
 /// The assessment of a mode by the step; empty if the mode does not concern the part.
 std::optional<account::Mode> judged(const Step& step, const ModeInfo& mode, Applies applies,
                                     const std::vector<const account::Verdict*>& rows, const CheckNeeds& needs = {},
-                                    const Bolder& bolder = {});
+                                    const LessConservative& bolder = {});
 
 /// Gives a mode the state of the worst of the modes that assess it.
 void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges);

@@ -113,7 +113,7 @@ struct LoadFacts {
   Factors factors = {};
   /// A factor not included in its loads, and not given here: "T comes without gears.K_A = 1.75: give K_A"; empty
   /// if there is none. Loads taken from this step do not include it either. Known when it is solved.
-  Message lacking_factor = {};
+  Message missing_factor = {};
   std::set<std::string> justified = {};  // factors that are lower here for a reason of the user's
   /// Loads that are less than the series that they come from, and have no reason: no mode of strength is
   /// assessed by them, here and where the results go; known when it is solved.

@@ -24,7 +24,7 @@ constexpr std::array stress_words{
     StressWord{"strength", "", Meant::strength},
     StressWord{"allow", "", Meant::strength},
     StressWord{"limit", "", Meant::strength},
-    StressWord{"that lasts", "", Meant::strength},
+    StressWord{"permissible amplitude at this", "", Meant::strength},
     StressWord{"its category", "", Meant::strength},
     StressWord{"shear", "", Meant::shear_stress},
     StressWord{"", "tau", Meant::shear_stress},

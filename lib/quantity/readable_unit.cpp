@@ -7,7 +7,7 @@ namespace loadpath {
 namespace {
 
 /// From which magnitude (SI) a unit is the habit of textbooks; the first row of a dimension serves if there is none.
-struct Habit {
+struct PreferredUnit {
   Dimension dimension;
   std::string_view unit;
   double from = 0.0;
@@ -16,7 +16,7 @@ struct Habit {
 constexpr Dimension stress = Dimension::of(-1, 1, -2), force = Dimension::of(1, 1, -2), length = Dimension::of(1, 0, 0);
 constexpr Dimension power = Dimension::of(2, 1, -3), work = Dimension::of(2, 1, -2);
 
-constexpr Habit habits[] = {
+constexpr PreferredUnit habits[] = {
     {stress, "MPa", 1e5},
     {stress, "GPa", 1e10},
     {stress, "kPa", 1e3},
@@ -53,9 +53,9 @@ constexpr Habit habits[] = {
 std::string readable_unit(double si, const Dimension& dimension, Kind kind) {
   if (kind == Kind::energy && dimension == work) return "J";
   const double size = std::fabs(si);
-  const auto reached = [size](const Habit& habit) { return size > 0.0 && habit.from <= size; };
-  const Habit* best = nullptr;
-  for (const Habit& habit : habits) {
+  const auto reached = [size](const PreferredUnit& habit) { return size > 0.0 && habit.from <= size; };
+  const PreferredUnit* best = nullptr;
+  for (const PreferredUnit& habit : habits) {
     if (habit.dimension != dimension) continue;
     if (best == nullptr || (reached(habit) && (!reached(*best) || habit.from > best->from))) best = &habit;
   }

@@ -267,7 +267,7 @@ Extreme minimum(const Value& series) {
   return low;
 }
 
-bool tells_its_extremes(const Value& series) {
+bool resolves_extremes(const Value& series) {
   constexpr std::size_t fewest = 36;
   constexpr double most_missed = 0.01;
   if (!series.is_series() || !series.signature.axis->cyclic() || !available(series) || is_constant(series)) return true;

@@ -50,7 +50,7 @@ Extreme minimum(const Value& series);
 Extreme largest(const Value& series);
 /// Whether the positions of a cycle are dense enough to resolve its extremes: at least 36, and values between them
 /// exceed them by no more than 1 % of the range. Always true without a cycle.
-bool tells_its_extremes(const Value& series);
+bool resolves_extremes(const Value& series);
 /// Whether its values differ only by rounding. False for a series with NaN.
 bool is_constant(const Value& series);
 

@@ -81,7 +81,7 @@ void DamageSum::take(const Batch& batch) {
 Outcome<double> DamageSum::total() const {
   double sum = 0.0;
   for (const double lane : sums_.damage) sum += lane;
-  if (!std::isfinite(sum)) return Fault{0, 1, say("the damage is beyond what numbers hold"), {}};
+  if (!std::isfinite(sum)) return Fault{0, 1, say("the damage exceeds the range of numbers"), {}};
   return sum;
 }
 

@@ -144,7 +144,7 @@ Outcome<double> consistent_damage(const SnCurve& curve, std::vector<Level> colle
   if (per_collective == 0.0) return 0.0;
   borne += (1.0 - damage) / per_collective;
   const double share = 1.0 / borne;
-  if (!std::isfinite(share)) return refused(say("the damage is beyond what numbers hold"));
+  if (!std::isfinite(share)) return refused(say("the damage exceeds the range of numbers"));
   return share;
 }
 

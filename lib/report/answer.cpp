@@ -245,7 +245,7 @@ std::vector<ChosenPart> chosen_parts(const Project& project) {
   for (const auto& step : project.steps) {
     const Modes modes = modes_of(*step, all);
     ChosenPart part{step->name(),        step->input().body.text, sizes_text(*step),
-                    reasons_text(*step), telling(modes),          modes.empty() ? State::open : overall(modes)};
+                    reasons_text(*step), explaining(modes),       modes.empty() ? State::open : overall(modes)};
     if (part.governing && !part.governing->utilisation) part.governing.reset();
     if (join_body(part, parts)) continue;
     if (!part.sizes.empty() || part.governing) parts.push_back(std::move(part));

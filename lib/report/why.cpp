@@ -223,7 +223,7 @@ std::optional<account::Mode> deciding(const account::Modes& modes) {
   return worst == modes.end() ? std::nullopt : std::optional(*worst);
 }
 
-std::optional<account::Mode> telling(const account::Modes& modes) {
+std::optional<account::Mode> explaining(const account::Modes& modes) {
   const auto worst = deciding(modes);
   if (worst && worst->state == account::State::fail) return worst;
   if (const account::Mode* const most = most_utilised(modes); most != nullptr) return *most;

@@ -35,6 +35,6 @@ std::optional<account::Mode> deciding(const account::Modes& modes);
 
 /// The mode whose formulas explain the verdict of a part: a failing one, else the most utilised; nothing if none has
 /// a value.
-std::optional<account::Mode> telling(const account::Modes& modes);
+std::optional<account::Mode> explaining(const account::Modes& modes);
 
 }  // namespace loadpath::report

@@ -108,7 +108,7 @@ Reader::Tree Reader::row_of_line(const Tree& line, const Texts& columns) {
   row.place = line.place;
   if (line.type != Tree::Type::array || line.items.size() != columns.size()) {
     complain(line.place, "rows",
-             say("a line of 'rows' is an array of {1} values, as 'columns' says", std::to_string(columns.size())));
+             say("a line of 'rows' is an array of {1} values, as listed in 'columns'", std::to_string(columns.size())));
     return row;
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {

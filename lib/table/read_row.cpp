@@ -96,7 +96,7 @@ void Reader::add_value(const Tree::Entry& entry, const Frame& frame, const std::
   const std::string& key = entry.key;
   if (entry.value.type != Tree::Type::number || !std::isfinite(entry.value.number)) {
     return complain(entry.value.place, row + "." + key, say("{1} must be a number", key),
-                    say("it is read in {1}, as 'units' says", column->column.unit));
+                    say("it is read in {1}, as given in 'units'", column->column.unit));
   }
   Value value{key, column->unit.to_si(entry.value.number), {}};
   for (const Credit* credit : credits) {

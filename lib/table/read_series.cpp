@@ -79,7 +79,7 @@ void Reader::read_origin(const Tree& tree, const std::vector<double>& listed, Se
     series.recalled = listed;
   } else if (series.sources.empty()) {
     complain(tree.place, series.name, say("'{1}' has no source", series.name),
-             say("name it in 'sources', or say recalled = true where none was seen"));
+             say("name it in 'sources', or write recalled = true where none was seen"));
   }
 }
 

@@ -20,7 +20,7 @@ std::string first_clause(const std::string& meaning) {
   return meaning.substr(0, std::min({colon, meaning.find("; "), meaning.find(" ("), meaning.find(", ")}));
 }
 
-std::string told(const std::string& word, const Known& known) {
+std::string with_meaning(const std::string& word, const Known& known) {
   return known.meaning.empty() ? word : word + " (" + first_clause(known.meaning) + ")";
 }
 
@@ -62,14 +62,18 @@ Message meant(std::string_view word, const std::vector<Known>& known, Message ot
   if (found.empty()) return otherwise;
   std::string all;
   for (std::size_t i = 0; i < found.size(); ++i)
-    all += (i == 0 ? "" : i + 1 == found.size() ? " or " : ", ") + told("'" + prefix + found[i]->word + "'", *found[i]);
+    all += (i == 0                  ? ""
+            : i + 1 == found.size() ? " or "
+                                    : ", ") +
+           with_meaning("'" + prefix + found[i]->word + "'", *found[i]);
   return say("did you mean {1}?", all);
 }
 
 Message there_is(const std::vector<Known>& known) {
   std::string all;
   const bool with_meanings = known.size() <= most_told;
-  for (const Known& one : known) all += (all.empty() ? "" : ", ") + (with_meanings ? told(one.word, one) : one.word);
+  for (const Known& one : known)
+    all += (all.empty() ? "" : ", ") + (with_meanings ? with_meaning(one.word, one) : one.word);
   return say("available: {1}", all);
 }
 

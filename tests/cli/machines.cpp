@@ -144,7 +144,7 @@ G = 8)";
     CHECK(same_folders(desk, "plain", "all"));
     const Ran taken = shell(desk, "ranks 3 sweep a.toml --samples 100 --quiet --out all");
     CHECK(taken.code == 2);
-    CHECK(contains(taken.error, "there is something already"));
+    CHECK(contains(taken.error, "a file or folder of this name already exists"));
   }
 
   TEST_CASE("the script for MPI, twice, and that of a job array under Slurm") {

@@ -127,15 +127,15 @@ TEST_SUITE("moving report in a browser") {
              "[shaft]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = { from = \"30 mm\", to = \"60 mm\", "
              "count = 7 }\nT = { from = \"100 N*m\", to = \"400 N*m\", count = 4 }\n");
     REQUIRE(desk.run({"sweep", "a.toml", "--quiet", "--report", "r.html", "--csv", "r.csv"}).code == 0);
-    CHECK(desk.get("r.html").find("<div class=told hidden>") != std::string::npos);
+    CHECK(desk.get("r.html").find("<div class=readout hidden>") != std::string::npos);
     const std::string page = opened(desk, chromium, "r.html#point=13");  // 45 mm, 200 N*m
-    CHECK(page.find("<div class=\"told\">") != std::string::npos);
-    CHECK(after(page, "data-told=\"0\">", '<') == "45");
-    CHECK(after(page, "data-told=\"1\">", '<') == "200");
+    CHECK(page.find("<div class=\"readout\">") != std::string::npos);
+    CHECK(after(page, "data-readout=\"0\">", '<') == "45");
+    CHECK(after(page, "data-readout=\"1\">", '<') == "200");
     CHECK(after(page, "data-verdict=\"\">", '<') == "passes");
     CHECK(page.find("loadpath run a.toml --point <span data-point=\"\">13</span>") != std::string::npos);
     CHECK(desk.get("r.csv").find("\n13,45.00000000000001,200,pass,") != std::string::npos);
     const double u = 16.0 * 200.0 / (3.14159265358979 * std::pow(0.045, 3)) / 30e6;
-    CHECK(std::stod(after(page, "data-told=\"2\">", '<')) == doctest::Approx(u).epsilon(1e-4));
+    CHECK(std::stod(after(page, "data-readout=\"2\">", '<')) == doctest::Approx(u).epsilon(1e-4));
   }
 }

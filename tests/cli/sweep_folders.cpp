@@ -102,7 +102,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
         desk.shell("mkdir -p other/columns letters; cp whole/columns/3-tau.npy other/columns/; : > letters/one").code ==
         0);
     for (const std::string folder : {"other", "letters"}) {
-      refused(sweep(desk, folder), "there is something already");
+      refused(sweep(desk, folder), "a file or folder of this name already exists");
       refused(sweep(desk, folder, {"--resume"}), "no sweep in this folder");
     }
     CHECK(desk.has("other/columns/3-tau.npy"));
@@ -262,7 +262,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     desk.put("a.toml", swept_shaft);
     desk.put("file", "");
     refused(sweep(desk, "file/x"), "'file/x': ");
-    refused(sweep(desk, "file"), "there is something already");
+    refused(sweep(desk, "file"), "a file or folder of this name already exists");
     if (::geteuid() != 0) {
       fs::create_directory(desk.folder() / "closed");
       fs::permissions(desk.folder() / "closed", fs::perms::owner_read | fs::perms::owner_exec);

@@ -92,8 +92,8 @@ TEST_SUITE("contract" * test::by_element) {
     for (const Calculator* c : test::calculators_taken()) {
       for (const auto& judge : judges_of(*c)) {
         INFO(std::string(c->id), " ", judge.first);
-        CHECK_MESSAGE(is_named(*c, judge.first) != judge.second->is_beside,
-                      "name it in a mode (.judged_by), or declare it .beside(), not both");
+        CHECK_MESSAGE(is_named(*c, judge.first) != judge.second->is_informative,
+                      "name it in a mode (.judged_by), or declare it .informative(), not both");
       }
     }
   }

@@ -38,7 +38,7 @@ void find_numbers(const Tree& tree, const Number& here, std::vector<Number>& fou
 }
 
 /// Whether a key of a step is not a field of its calculator: a row may be called "6208".
-bool is_beside_fields(const Calculator& calculator, const std::string& key) {
+bool is_general_key(const Calculator& calculator, const std::string& key) {
   constexpr std::string_view beside[] = {"calculator", "template", "title", "note", "display", "accept", "material"};
   const auto groups = table_groups(calculator);
   return std::find(std::begin(beside), std::end(beside), key) != std::end(beside) ||
@@ -63,7 +63,7 @@ std::vector<Number> numbers_of(const Tree& top, const project::Project& project)
       const std::string& key = table.entries[k].key;
       const FieldInfo* const field = find_field(step->input().calculator->input->fields, key);
       const bool is_formula = field != nullptr && field->type == FieldInfo::Type::formula;
-      if (!is_beside_fields(*step->input().calculator, key))
+      if (!is_general_key(*step->input().calculator, key))
         find_numbers(table.entries[k].value, {{i, k}, step->name() + "." + key, is_formula}, found);
     }
   }

@@ -186,7 +186,7 @@ TEST_SUITE("found groove") {
           std::string::npos);
     CHECK(fault("x = \"80 mm\", t = \"1.25 mm\", w = \"60 mm\", r = \"0.1 mm\"").find("within its piece") !=
           std::string::npos);
-    CHECK(fault("x = \"98 mm\", t = \"1.25 mm\", w = \"10 mm\", r = \"0.1 mm\"").find("something sits") !=
+    CHECK(fault("x = \"98 mm\", t = \"1.25 mm\", w = \"10 mm\", r = \"0.1 mm\"").find("a component lies") !=
           std::string::npos);
   }
 
@@ -200,7 +200,7 @@ TEST_SUITE("found groove") {
     CHECK(fault("r = \"6 mm\"").empty());                // an arc that ends in an edge, as charts have it
     CHECK(fault("r = \"6 mm\", h = \"2 mm\"").find("exceeds the step height") != std::string::npos);
     CHECK(fault("r = \"360 mm\"").empty());  // sqrt(5 (720 - 5)) = 59.8 mm of the piece's 60
-    CHECK(fault("r = \"365 mm\"").find("along a piece of 60 mm") != std::string::npos);
+    CHECK(fault("r = \"365 mm\"").find("along a segment of 60 mm") != std::string::npos);
   }
 
   TEST_CASE("a torque given by power and speed is taken like a torque") {

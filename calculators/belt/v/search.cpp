@@ -13,22 +13,22 @@ namespace {
 
 /// Contribution of one result field of belt.v; a check that is not available counts as a limit.
 template <class F>
-void take(const F& field, const V::Result& r, bool grip_asked, Lack& lack) {
+void take(const F& field, const V::Result& r, bool grip_asked, Shortfall& shortfall) {
   if constexpr (requires { field.asked_by; }) {
     const double value = in_si(r.*field.at) / in_si(field.unit.one);
     const bool asked = field.asked_by[0] == '\0' || grip_asked;
     if (field.role == Role::check && asked) {
-      lack.check = std::max(lack.check, value);
-      if (std::isnan(value)) ++lack.limits;
+      shortfall.check = std::max(shortfall.check, value);
+      if (std::isnan(value)) ++shortfall.limits;
     }
-    if (field.role == Role::limit && !field.bounds.holds(value)) ++lack.limits;
+    if (field.role == Role::limit && !field.bounds.holds(value)) ++shortfall.limits;
   }
 }
 
-Lack lack_of(const V::Result& r, bool grip_asked) {
-  Lack lack;
-  loadpath::apply([&](const auto&... field) { (take(field, r, grip_asked, lack), ...); }, V::results);
-  return lack;
+Shortfall shortfall_of(const V::Result& r, bool grip_asked) {
+  Shortfall shortfall;
+  loadpath::apply([&](const auto&... field) { (take(field, r, grip_asked, shortfall), ...); }, V::results);
+  return shortfall;
 }
 
 /// The better drive by the rank; of equals the smaller pulleys, then the smaller shaft load.
@@ -80,8 +80,8 @@ V::Input with_most_belts(const Input& in, V::Input drive) {
 
 void keep_nearest(const V::Input& drive, const Input& in, Nearest& nearest) {
   NoTrace quiet;
-  const Lack lack = lack_of(V::evaluate(drive, quiet), is_set(in.mu));
-  if (lack.less_than(nearest.lack)) nearest = {drive, lack};
+  const Shortfall shortfall = shortfall_of(V::evaluate(drive, quiet), is_set(in.mu));
+  if (shortfall.less_than(nearest.shortfall)) nearest = {drive, shortfall};
 }
 
 void try_pair(const VSection& section, const Input& in, V::Input& drive, Result& r, Nearest& nearest) {
@@ -91,7 +91,7 @@ void try_pair(const VSection& section, const Input& in, V::Input& drive, Result&
   NoTrace quiet;
   const V::Result found = V::evaluate(drive, quiet);
   const bool too_weak = found.z == 0 || found.z > in.z_max;
-  if (!too_weak && lack_of(found, is_set(in.mu)).none()) {
+  if (!too_weak && shortfall_of(found, is_set(in.mu)).none()) {
     r.drives += 1.0;
     return rank_in(r.candidates, candidate_of(drive, found), in.rank);
   }

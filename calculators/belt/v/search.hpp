@@ -9,12 +9,12 @@
 namespace loadpath::belt {
 
 /// How far a drive is from passing: the limits of belt.v that it leaves, and its largest check.
-struct Lack {
+struct Shortfall {
   int limits = 0;
   double check = 0.0;
 
   [[nodiscard]] bool none() const { return limits == 0 && check <= 1.0; }
-  [[nodiscard]] bool less_than(const Lack& other) const {
+  [[nodiscard]] bool less_than(const Shortfall& other) const {
     return limits != other.limits ? limits < other.limits : check < other.check;
   }
 };
@@ -22,7 +22,7 @@ struct Lack {
 /// The drive nearest to passing, where none passes.
 struct Nearest {
   V::Input drive;
-  Lack lack{std::numeric_limits<int>::max(), 0.0};
+  Shortfall shortfall{std::numeric_limits<int>::max(), 0.0};
 };
 
 /// The input of belt.v that corresponds to a drive of the list; diameters, length and section are still open.

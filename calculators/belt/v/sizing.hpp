@@ -83,8 +83,8 @@ a_set = "600 mm"
   static constexpr Fields results{
       Choice{&Result::rating, "rating", "governing rating method"},
       Field{&Result::tried, "tried", ratio, "number of drives that meet speed and centre distance"},
-      Field{&Result::too_weak, "too_weak", ratio, "number of these that need too many belts"},
-      Field{&Result::outside, "outside", ratio, "number of these that fail another check or limit"},
+      Field{&Result::too_weak, "too_weak", ratio, "number of these drives with too many belts"},
+      Field{&Result::outside, "outside", ratio, "number of these drives that fail another check or limit"},
       Choice{&Result::section, "section", "belt section"}.chosen(),
       Field{&Result::d_1, "d_1", mm, "datum diameter of the driving pulley"}.chosen(),
       Field{&Result::d_2, "d_2", mm, "datum diameter of the driven pulley"}.chosen(),

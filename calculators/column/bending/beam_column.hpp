@@ -210,8 +210,10 @@ gamma_F = 1
       Mode<Input>{"slenderness", "slenderness limit", &compressed<Input>}.judged_by("r_lambda").at_any_load(),
       Mode<Input>{"local", "local buckling (class 3 limit)", &walls_pressed}.judged_by("r_class"),
       Mode<Input>{"shear", "shear force in the webs", &bent}.judged_by("x_V"),
-      Mode<Input>{"net_section", "net section rupture (holes)", &pulled_at_holes<Input>}.assessed_beside("pin.lug"),
-      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history"),
+      Mode<Input>{"net_section", "net section rupture (holes)", &pulled_at_holes<Input>}.assessed_additionally_in(
+          "pin.lug"),
+      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_additionally_in(
+          "fatigue.life, fatigue.history"),
       Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"weight", "bending due to self-weight", &unseen<Input>}.special()};
 

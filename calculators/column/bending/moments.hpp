@@ -38,8 +38,8 @@ struct Moments {
 
   /// The largest magnitude of the shear force: at one of the ends, or next to the force.
   [[nodiscard]] Force shear() const {
-    const Force even = abs((M_2 - M_1) / l), beside = abs(F / 2.0), at_ends = abs(q * l / 2.0 + F / 2.0);
-    return even + max(beside, at_ends);
+    const Force even = abs((M_2 - M_1) / l), at_middle = abs(F / 2.0), at_ends = abs(q * l / 2.0 + F / 2.0);
+    return even + max(at_middle, at_ends);
   }
 
   /// The end moment of the larger magnitude, and the other one over it; 1 without end moments.

@@ -109,7 +109,7 @@ gamma_F = 1
           Rule<Input>{&strength_in_tension, "N, R_e",
                       "a bar in tension is assessed by its yield strength: give R_e, or a material"},
           Rule<Input>{[](const Input& in) { return is_set(in.N) || is_set(in.P); }, "N, P",
-                      "give the force that the bar shall carry: N, positive in tension, or P"}},
+                      "give the force on the bar: N, positive in tension, or P"}},
       held_rules<Input>(),
       std::array{Rule<Input>{&needs_of_method,
                              "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, e_0y, e_0z, n_st, gamma_M1, gamma_F",

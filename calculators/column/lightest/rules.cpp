@@ -159,7 +159,9 @@ Method Lightest::method_of(const Input& in) {
 }
 
 /// Missing buckling curves and strengths are reported per section.
-bool Lightest::needs_of_method(const Input& in) { return lack(with_a_strength(in), method_of(in), true).empty(); }
+bool Lightest::needs_of_method(const Input& in) {
+  return missing_inputs(with_a_strength(in), method_of(in), true).empty();
+}
 FieldFault Lightest::missing_for_method(const Input& in) {
   return column::missing_for_method(with_a_strength(in), method_of(in), true);
 }

@@ -96,9 +96,10 @@ constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
       Mode<Input>{"tension", "yielding in tension", &pulled<Input>}.judged_by("x_t, u_t"),
       Mode<Input>{"tension_bent", "yielding in tension and bending", &pulled_and_bent<Input>}.assessed_in(
           "column.beam_column"),
-      Mode<Input>{"net_section", "net section rupture (holes, pins)", &pulled_at_holes<Input>}.assessed_beside(
+      Mode<Input>{"net_section", "net section rupture (holes, pins)", &pulled_at_holes<Input>}.assessed_additionally_in(
           "pin.lug"),
-      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history"),
+      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_additionally_in(
+          "fatigue.life, fatigue.history"),
       Mode<Input>{"weight", "bending due to self-weight", &unseen<Input>}.special()};
 }
 

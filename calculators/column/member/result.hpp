@@ -110,7 +110,7 @@ constexpr auto stress_results() {
       Field<Result, Stress>{&Result::sigma_cr, "sigma_cr", MPa, "critical stress of the governing method"},
       Field<Result, Force>{&Result::P_all, "P_all", kN, "allowable force of the governing method"},
       Field<Result, double>{&Result::spread, "spread", ratio, "relative spread of the critical stresses of the methods"}
-          .beside()};
+          .informative()};
 }
 
 /// The eccentric or bowed bar under its force, by whatever method it is judged.
@@ -219,7 +219,7 @@ constexpr auto side_by_side() {
   return Fields{
       ListField<Result, List<AxisResult, 2>>{&Result::axes, "axes", "buckling about y and about z"},
       ListField<Result, List<MethodResult, most_methods>>{&Result::methods, "methods", "all methods in comparison"}
-          .beside()};
+          .informative()};
 }
 
 template <class Result>

@@ -11,12 +11,12 @@ namespace loadpath::column {
 namespace {
 
 /// The first misplaced support, and its list; -1 if all are in order.
-struct Astray {
+struct Misplaced {
   const char* list = "";
   int place = -1;
 };
 
-Astray astray(const Member& in) {
+Misplaced astray(const Member& in) {
   for (const AxisName axis : {AxisName::y, AxisName::z}) {
     Length before = 0.0 * mm;
     int place = 0;
@@ -161,7 +161,7 @@ FieldFault unfit_walls(const Section& in) {
   if (in.r > 0.0 * mm)
     return {"r", say("a hollow section of b, h and t_w is computed with sharp corners"),
             say("omit r, or give A, I_y and I_z")};
-  return {"t_w", say("the walls must leave a hollow"), say("2 t_w below d or b, 2 t_f below h")};
+  return {"t_w", say("the walls must enclose a hollow"), say("2 t_w below d or b, 2 t_f below h")};
 }
 
 bool fibres_reach(const Section& in) {
@@ -186,7 +186,7 @@ bool is_full(const Section& in) {
 bool supports_inside(const Member& in) { return astray(in).place < 0; }
 
 FieldFault support_outside(const Member& in) {
-  const Astray at = astray(in);
+  const Misplaced at = astray(in);
   const std::string path = std::string(at.list) + "[" + std::to_string(at.place + 1) + "].x";
   return {path,
           say("supports must lie between the ends of the bar, 0 and {1}, in order",
@@ -200,7 +200,7 @@ bool supports_need_ends(const Member& in) {
          !(is_set(in.beta_z) && !in.supports_z.empty());
 }
 
-Message lack(const Member& in, Method by, bool curves) {
+Message missing_inputs(const Member& in, Method by, bool curves) {
   if (asks_for_no_method(in) || (by == Method::unsaid && !is_loaded(in))) return {};
   const Message of_stress = lack_of_stress(in, by, curves), of_safety = lack_of_safety(in, by);
   if (of_stress.empty()) return of_safety;
@@ -209,7 +209,7 @@ Message lack(const Member& in, Method by, bool curves) {
 
 FieldFault missing_for_method(const Member& in, Method by, bool curves) {
   if (in.method == Method::unsaid) return missing_by_default(in, curves);
-  return {"method", say("the method '{1}' needs {2}", word_of(by), lack(in, by, curves)), {}};
+  return {"method", say("the method '{1}' needs {2}", word_of(by), missing_inputs(in, by, curves)), {}};
 }
 
 bool factors_given(const Member& in, Method by) {

@@ -27,7 +27,7 @@ inline bool yields_as_graded(const Member& in) { return in.grade != Grade::S460 
 FieldFault method_of_steel(const Member& in);
 
 /// Missing inputs of the governing method; empty if none. `curves`: whether the buckling curves are known.
-Message lack(const Member& in, Method by, bool curves);
+Message missing_inputs(const Member& in, Method by, bool curves);
 FieldFault missing_for_method(const Member& in, Method by, bool curves);
 
 /// Whether the partial factors of a compressed bar are given, or need not be: of ec3 they are assumed.
@@ -69,7 +69,7 @@ constexpr auto held_rules() {
                   "use beta_basis = \"exact\""}};
 }
 
-/// Material and method, but for what the method needs (`lack`).
+/// Material and method, but for what the method needs (`missing_inputs`).
 template <class Input>
 constexpr auto method_rules() {
   return std::array{

@@ -15,15 +15,15 @@ constexpr std::size_t elements = 8;  // of a piece
 using ColumnStiffness = BandStiffness<most_pieces * elements + 1>;
 
 /// Slope, its derivative and its integral at the upper end of an element of length 1.
-struct Far {
+struct ElementEnd {
   double slope, bend, rise;
 };
 
 /// The solution of phi'' + (p_0 + p_1 s) phi = c from these values at s = 0, by its power series.
-Far series(double p_0, double p_1, double slope, double bend, double c) {
+ElementEnd series(double p_0, double p_1, double slope, double bend, double c) {
   constexpr int terms = 60;
   double before = 0.0, a = slope, next = bend;  // coefficients k - 1, k, k + 1
-  Far sum{a + next, next, a + 0.5 * next};
+  ElementEnd sum{a + next, next, a + 0.5 * next};
   for (int k = 0; k < terms; ++k) {
     const double constant = k == 0 ? c : 0.0;
     const double a_2 = (constant - p_0 * a - p_1 * before) / ((k + 1.0) * (k + 2.0));
@@ -39,8 +39,8 @@ using Element = std::array<std::array<double, 4>, 4>;
 /// p: alpha N l^2/(E I) at the lower and the upper end.
 Element element_of(double EI, double l, double p_l, double p_u) {
   const double p_1 = p_u - p_l;
-  const Far turned = series(p_l, p_1, 1.0, 0.0, 0.0), bent = series(p_l, p_1, 0.0, 1.0, 0.0),
-            sheared = series(p_l, p_1, 0.0, 0.0, 1.0);
+  const ElementEnd turned = series(p_l, p_1, 1.0, 0.0, 0.0), bent = series(p_l, p_1, 0.0, 1.0, 0.0),
+                   sheared = series(p_l, p_1, 0.0, 0.0, 1.0);
   const double determinant = bent.rise * sheared.slope - sheared.rise * bent.slope;
   Element k{};
   for (std::size_t i = 0; i < 4; ++i) {

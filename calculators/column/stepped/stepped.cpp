@@ -122,7 +122,7 @@ bool Stepped::sections_fit(const Input& in) {
   });
 }
 
-bool Stepped::stands_still(const Input& in) { return in.foot == Foot::fixed || in.top != Top::free; }
+bool Stepped::is_kinematically_stable(const Input& in) { return in.foot == Foot::fixed || in.top != Top::free; }
 
 Applies Stepped::loaded(const Input& in) {
   const bool forced = std::any_of(in.parts.begin(), in.parts.end(), [](const Part& part) {

@@ -94,7 +94,7 @@ n_st = 2.5
 
   static bool sections_given(const Input& in);
   static FieldFault section_missing(const Input& in);
-  static bool stands_still(const Input& in);
+  static bool is_kinematically_stable(const Input& in);
   static bool sections_fit(const Input& in);
   static Applies loaded(const Input& in);
   static Applies of_walls(const Input& in);
@@ -108,7 +108,7 @@ n_st = 2.5
       Rule<Input>{&sections_fit, "parts",
                   "A and I of a part must be of one section: I is at most that of a tube as "
                   "wide as the part is long"},
-      Rule<Input>{&stands_still, "foot, top",
+      Rule<Input>{&is_kinematically_stable, "foot, top",
                   "a column with a pinned foot and a free top falls: fix its foot or hold "
                   "its top"},
       Rule<Input>{[](const Input& in) { return is_set(in.E); }, "E", "give a material, or the modulus E"},
@@ -127,7 +127,8 @@ n_st = 2.5
           .in_service()
           .by_companions(),
       Mode<Input>{"joint", "strength of the steps and supports", &unseen<Input>},
-      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history")};
+      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_additionally_in(
+          "fatigue.life, fatigue.history")};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -35,7 +35,7 @@ struct SteppedTypes {
             .positive()
             .may_be_missing(),
         Field{&Part::P, "P", kN, "compressive force applied at its upper end"}.load().at_least(0).may_be_missing(),
-        Field{&Part::q, "q", N_per_mm, "compressive load per length along it, without its weight"}
+        Field{&Part::q, "q", N_per_mm, "compressive load per unit length of the part, without self-weight"}
             .load()
             .at_least(0)
             .may_be_missing()};

@@ -127,7 +127,7 @@ FieldFault missing_force(const PathWork::Input& in) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (std::isfinite(F[i])) continue;
       return {force_keys[i], say("the force has no value at t = {1}", format_quantity(t, "s", 4)),
-              say("it divides by zero there, or takes the root of a negative value: end the path before")};
+              say("it divides by zero there, or takes the root of a negative value: end the path before it")};
     }
   }
   return {};

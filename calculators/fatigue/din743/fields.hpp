@@ -79,7 +79,7 @@ constexpr auto din743_section() {
           .positive()
           .usually(0.5, 200)
           .may_be_missing(),
-      Field<Input, double>{&Input::K_V, "K_V", ratio, "factor of a surface that was hardened, rolled or peened"}
+      Field<Input, double>{&Input::K_V, "K_V", ratio, "factor of a hardened, rolled or peened surface"}
           .within(1, 2)
           .usually(1, 1.8)
           .customarily_at_most(1.8)
@@ -92,7 +92,7 @@ constexpr auto din743_section() {
       notch_number<Input>(&Input::beta_zd, "beta_zd", "notch factor in tension"),
       notch_number<Input>(&Input::beta_b, "beta_b", "notch factor in bending"),
       notch_number<Input>(&Input::beta_t, "beta_t", "notch factor in torsion"),
-      Field<Input, Length>{&Input::d_BK, "d_BK", mm, "diameter of the bars that beta was measured on, else d"}
+      Field<Input, Length>{&Input::d_BK, "d_BK", mm, "diameter of the bars used to measure beta; omitted: d"}
           .positive()
           .usually(5, 150)
           .may_be_missing(),
@@ -167,7 +167,8 @@ constexpr auto din743_results() {
              Field<Result, Stress>{&Result::sigma_Sd, "sigma_Sd", MPa, "yield strength of this size"},
              Field<Result, Stress>{&Result::sigma_mv, "sigma_mv", MPa, "equivalent mean stress; negative: compression"},
              Field<Result, Stress>{&Result::tau_mv, "tau_mv", MPa, "equivalent mean stress of shear"},
-             Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
+             Field<Result, double>{&Result::S_D, "S_D", ratio,
+                                   "safety factor against fatigue; infinite if no stress varies"}
                  .may_be_infinite(),
              Field<Result, double>{&Result::S_F, "S_F", ratio, "required safety factor against yielding at peak load"}
                  .may_be_infinite(),

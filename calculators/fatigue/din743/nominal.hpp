@@ -7,11 +7,11 @@ namespace loadpath::fatigue {
 
 /// Section of a bar with a transverse hole of radius r, which removes a strip.
 template <class Tracer>
-Area area_beside_hole(const char* symbol, Length d, Length r, Tracer& trace) {
+Area net_area_at_hole(const char* symbol, Length d, Length r, Tracer& trace) {
   return NAMED_STEP(symbol, pi * pow<2>(d) / 4.0 - 2.0 * r * d, "net area, [DIN743] part 2 section 5.2.3");
 }
 template <class Tracer>
-SectionModulus modulus_beside_hole(const char* symbol, double c, Length d, Length r, Tracer& trace) {
+SectionModulus net_modulus_at_hole(const char* symbol, double c, Length d, Length r, Tracer& trace) {
   const double c_W = trace.value("c_W", c, "bending 32, torsion 16");
   return NAMED_STEP(symbol, pi * pow<3>(d) / c_W - r * pow<2>(d) / 3.0, "net modulus, [DIN743] part 2 section 5.2.3");
 }
@@ -19,14 +19,14 @@ SectionModulus modulus_beside_hole(const char* symbol, double c, Length d, Lengt
 /// Moduli of the net section.
 template <class Tracer>
 Area net_area(const Din743Section& s, Tracer& trace) {
-  if (s.notch == Notch::cross_hole) return area_beside_hole("Z", s.d, s.r, trace);
+  if (s.notch == Notch::cross_hole) return net_area_at_hole("Z", s.d, s.r, trace);
   return NAMED_STEP("Z", pi * (pow<2>(s.d) - pow<2>(s.d_bore)) / 4.0, "area of the section");
 }
 
 template <class Tracer>
 SectionModulus net_modulus(const Din743Section& s, Stressing kind, Tracer& trace) {
   const double c = kind == Stressing::torsion ? 16.0 : 32.0;
-  if (s.notch == Notch::cross_hole) return modulus_beside_hole("Z", c, s.d, s.r, trace);
+  if (s.notch == Notch::cross_hole) return net_modulus_at_hole("Z", c, s.d, s.r, trace);
   const double c_W = trace.value("c_W", c, "bending 32, torsion 16");
   return NAMED_STEP("Z", pi * (pow<4>(s.d) - pow<4>(s.d_bore)) / (c_W * s.d), "modulus of the section");
 }
@@ -38,9 +38,9 @@ Quantity or_zero(Quantity q) {
 
 /// The maximum stress, if given.
 template <class Tracer>
-void largest(Stress told, double f, Din743Stress& k, Tracer& trace) {
-  if (is_set(told)) {
-    k.sigma_max = trace.value("sigma_max", abs(told), "maximum stress, as given");
+void largest(Stress stated, double f, Din743Stress& k, Tracer& trace) {
+  if (is_set(stated)) {
+    k.sigma_max = trace.value("sigma_max", abs(stated), "maximum stress, as given");
   } else if (is_set(f)) {
     const double f_max = f;
     const Stress sigma_m = k.sigma_m, sigma_a = k.sigma_a;

@@ -159,8 +159,9 @@ void safeties(const Din743Loads& loads, Din743Safety& r, Tracer& trace) {
   r.S_D = v_D != 0.0 ? NAMED_STEP("S_D", 1.0 / v_D, "safety against fatigue, [DIN743] part 1 section 4.1")
                      : trace.value("S_D", any_safety, "nothing varies");
   STEP_TO(r, u_D, S_min * v_D, "required / actual safety factor");
-  const bool told = std::all_of(r.stresses.begin(), r.stresses.end(), [](const auto& k) { return is_set(k.u_max); });
-  if (!told || r.stresses.empty()) return;
+  const bool complete =
+      std::all_of(r.stresses.begin(), r.stresses.end(), [](const auto& k) { return is_set(k.u_max); });
+  if (!complete || r.stresses.empty()) return;
   const double v_F = together("v_F", r, &Din743Stress::u_max, in_phase, trace);
   r.S_F = v_F != 0.0 ? NAMED_STEP("S_F", 1.0 / v_F, "safety against yielding, [DIN743] part 1 section 5.1")
                      : trace.value("S_F", any_safety, "nothing acts");

@@ -39,7 +39,7 @@ constexpr auto fkm_steel() {
                           most_yield_strength),
       fkm_size_slope<Input>(&Input::a_dm, "a_dm", "slope of the size factor of R_mN, in place of the group's"),
       fkm_size_slope<Input>(&Input::a_dp, "a_dp", "size constant of R_eN; default of the group not checked"),
-      fkm_reference<Input>(&Input::d_Nm, "d_Nm", "diameter that R_mN belongs to, in place of the group's"),
+      fkm_reference<Input>(&Input::d_Nm, "d_Nm", "reference diameter of R_mN, in place of the group's"),
       fkm_reference<Input>(&Input::d_Np, "d_Np", "reference diameter of R_eN; default of the group not checked"),
       Field<Input, Stress>{&Input::R_m, "R_m", MPa, "tensile strength in a part of this size, in place of R_mN"}
           .positive()
@@ -120,7 +120,8 @@ constexpr auto fkm_results() {
           Field<Result, double>{&Result::q, "q", ratio, "0: ductile, von Mises; 1: brittle, maximum normal stress"},
           Field<Result, double>{&Result::a_NH, "a_NH", ratio, "utilisation in fatigue by the maximum normal stress"},
           Field<Result, double>{&Result::a_GH, "a_GH", ratio, "utilisation in fatigue by von Mises"},
-          Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
+          Field<Result, double>{&Result::S_D, "S_D", ratio,
+                                "safety factor against fatigue; infinite if no stress varies"}
               .may_be_infinite(),
           Field<Result, double>{&Result::j_ges, "j_ges", ratio,
                                 "safety of the static strength, against the yield limit"},

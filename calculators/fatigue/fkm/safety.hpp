@@ -140,16 +140,16 @@ void static_utilisation(const FkmService& l, FkmSafety& r, Tracer& trace) {
   const Stress R_ed = r.R_ed, R_md = r.R_md;
   STEP(j_my, j_m * R_ed / R_md, "against fracture, held against the yield limit, [FKM] 1.5");
   STEP_TO(r, j_ges, max(j_my, j_p), "against fracture and yielding, [FKM] 1.5");
-  bool told = !r.stresses.empty();
+  bool complete = !r.stresses.empty();
   for (std::size_t i = 0; i < r.stresses.size(); ++i) {
     FkmStress& k = r.stresses[i];
-    told = told && is_set(k.sigma_max);
+    complete = complete && is_set(k.sigma_max);
     if (!is_set(k.sigma_max)) continue;
     [[maybe_unused]] const auto scope = trace.scope("stresses", i);
     const Stress sigma_max = k.sigma_max, sigma_SK = k.sigma_SK;
     STEP_TO(k, a_S, sigma_max * j_ges / sigma_SK, "static utilisation, [FKM] 1.6");
   }
-  if (told) r.u_S = combined("u_S", r, &FkmStress::a_S, false, trace);
+  if (complete) r.u_S = combined("u_S", r, &FkmStress::a_S, false, trace);
 }
 
 /// Where its numbers were found: outside they say nothing.

@@ -83,7 +83,7 @@ struct FkmStress {
       Field<K, double>{&K::M, "M", ratio, "sensitivity to mean stress"},
       Field<K, Stress>{&K::sigma_mv, "sigma_mv", MPa, "effective mean stress"},
       Field<K, double>{&K::K_AK, "K_AK", ratio, "mean stress factor"},
-      Field<K, Stress>{&K::sigma_AK, "sigma_AK", MPa, "amplitude that lasts at this mean stress"},
+      Field<K, Stress>{&K::sigma_AK, "sigma_AK", MPa, "permissible amplitude at this mean stress"},
       Field<K, double>{&K::K_BK, "K_BK", ratio, "factor for finite life"},
       Field<K, Stress>{&K::sigma_BK, "sigma_BK", MPa, "amplitude for the required life"},
       Field<K, double>{&K::a, "a", ratio, "utilisation in fatigue, with its safety"},

@@ -48,7 +48,7 @@ double largest_for(const Input& in, const std::vector<MinerRule>& rules) {
 /// A history on its curves.
 struct Weights {
   rainflow::SnCurve curve;  // weighs single cycles
-  Weighed weighed;
+  HistoryDamage weighed;
   std::vector<MinerRule> rules;
   std::vector<double> damage;  // of each rule
 };
@@ -83,10 +83,10 @@ double place_of(const Input& in, std::uint64_t index) {
   return place < at.size() ? at[place] : unset<double>;
 }
 
-void tell_worst(const Input& in, const Weighed& weighed, Result& r) {
+void write_worst(const Input& in, const HistoryDamage& weighed, Result& r) {
   const double all = weighed.damage.front();
   const bool placed = in.blocks.empty();
-  for (const Weighty& worst : weighed.worst) {
+  for (const DamagingCycle& worst : weighed.worst) {
     const Cycle& c = worst.cycle;
     r.worst.push_back(
         {in.K_A * amplitude_of(c), in.K_A * mean_of(c), c.count, all > 0.0 ? worst.damage / all : unset<double>,
@@ -100,19 +100,19 @@ void all_rules(const Input& in, const Weights& w, Result& r, Tracer& trace) {
     const auto found = std::ranges::find(w.rules, rule);
     return found == w.rules.end() ? unset<double> : w.damage[static_cast<std::size_t>(found - w.rules.begin())];
   };
-  const auto tell = [&](const char* symbol, MinerRule rule, const char* text) {
+  const auto traced = [&](const char* symbol, MinerRule rule, const char* text) {
     return is_set(by(rule)) ? trace.value(symbol, by(rule), text) : unset<double>;
   };
   if (!History::is_of_part(in)) {
     r.D = trace.value("D", by(MinerRule::original), "sum of n / N over the cycles, [Miner]");
     return;
   }
-  r.D_original = tell("D_original", MinerRule::original, "sum of n / N above the limit, [Miner]");
-  r.D_elementary = tell("D_elementary", MinerRule::elementary, "the slope k for all cycles");
-  r.D_modified = tell("D_modified", MinerRule::modified, "2 k - 1 below the limit, [Haibach]");
-  r.D_consistent = tell("D_consistent", MinerRule::consistent,
-                        "decreasing fatigue limit, [Haibach], not checked against the source");
-  r.D_LZ = tell("D_LZ", MinerRule::liu_zenner, "slope (k + 3.6)/2, Liu and Zenner, not checked against the source");
+  r.D_original = traced("D_original", MinerRule::original, "sum of n / N above the limit, [Miner]");
+  r.D_elementary = traced("D_elementary", MinerRule::elementary, "the slope k for all cycles");
+  r.D_modified = traced("D_modified", MinerRule::modified, "2 k - 1 below the limit, [Haibach]");
+  r.D_consistent = traced("D_consistent", MinerRule::consistent,
+                          "decreasing fatigue limit, [Haibach], not checked against the source");
+  r.D_LZ = traced("D_LZ", MinerRule::liu_zenner, "slope (k + 3.6)/2, Liu and Zenner, not checked against the source");
   r.D = in.miner == MinerRule::original     ? NAMED_STEP("D", r.D_original, "the original rule decides")
         : in.miner == MinerRule::elementary ? NAMED_STEP("D", r.D_elementary, "the elementary rule decides")
         : in.miner == MinerRule::consistent ? NAMED_STEP("D", r.D_consistent, "the consistent rule decides")
@@ -142,7 +142,7 @@ void largest_cycle(const Input& in, const Weights& w, Result& r, Tracer& trace) 
 
 /// Damage below the omission level, by the curve of a single cycle.
 template <class Tracer>
-void gate(const Input& in, const Weighed& weighed, Result& r, Tracer& trace) {
+void gate(const Input& in, const HistoryDamage& weighed, Result& r, Tracer& trace) {
   if (!(in.gate > 0.0 * MPa)) return;
   const double left = weighed.small, kept = weighed.damage.front();
   r.x_g = trace.value("x_g", left > 0.0 ? left / (left + kept) : 0.0, "damage of what the gate leaves out");
@@ -222,7 +222,7 @@ History::Result History::evaluate(const Input& in, Tracer& trace) {
   all_rules(in, w, r, trace);
   left_out(in, r, trace);
   if (!w.weighed.worst.empty()) largest_cycle(in, w, r, trace);
-  tell_worst(in, w.weighed, r);
+  write_worst(in, w.weighed, r);
   gate(in, w.weighed, r, trace);
   life(in, r, trace);
   equivalent(in, w.curve, r, trace);

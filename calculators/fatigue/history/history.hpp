@@ -172,16 +172,16 @@ n_req = 1
       Field{&Result::n, "n", ratio, "cycles of one passage, halves as 0.5"},
       Field{&Result::sigma_max, "sigma_max", MPa, "maximum stress, with the application factor"}.holding("K_A"),
       Field{&Result::sigma_min, "sigma_min", MPa, "minimum stress, with the application factor"}.holding("K_A"),
-      Field{&Result::sigma_a1, "sigma_a1", MPa, "amplitude of the cycle that does most damage"}.holding("K_A"),
+      Field{&Result::sigma_a1, "sigma_a1", MPa, "amplitude of the most damaging cycle"}.holding("K_A"),
       Field{&Result::sigma_m1, "sigma_m1", MPa, "its mean stress"}.holding("K_A"),
       Field{&Result::S_1, "S_1", MPa, "its stress on the curve, with S_D: amplitude at r = -1, or range of a detail"},
-      Field{&Result::N_S1, "N_S1", ratio, "cycles that the curve gives for it"}.may_be_infinite(),
+      Field{&Result::N_S1, "N_S1", ratio, "cycles to failure at this stress"}.may_be_infinite(),
       Field{&Result::D_original, "D_original", ratio, "damage of one passage, Miner's original rule"},
       Field{&Result::D_elementary, "D_elementary", ratio, "the same, elementary: one slope for all"},
       Field{&Result::D_modified, "D_modified", ratio, "the same, modified by Haibach: 2 k - 1 below the knee"},
       Field{&Result::D_consistent, "D_consistent", ratio, "the same, consistent: the fatigue limit falls"},
       Field{&Result::D_LZ, "D_LZ", ratio, "the same by Liu and Zenner"},
-      Field{&Result::D, "D", ratio, "damage of one passage, by the rule that decides"},
+      Field{&Result::D, "D", ratio, "damage of one passage, by the governing rule"},
       Field{&Result::Z, "Z", ratio, "allowable repetitions; infinite if no cycle causes damage"}.may_be_infinite(),
       Field{&Result::L, "L", hour, "life"}.may_be_infinite(),
       Field{&Result::S_eq, "S_eq", MPa,
@@ -202,7 +202,7 @@ n_req = 1
       Field{&Result::x_R, "x_R", ratio, "maximum range of a detail over 1.5 R_e, [EN1993-1-9] 8"}
           .limit(0, 1)
           .where_it_applies(),
-      Field{&Result::x_g, "x_g", ratio, "damage of the cycles that the gate leaves out, over that of all"}
+      Field{&Result::x_g, "x_g", ratio, "damage of the cycles omitted by the gate / damage of all cycles"}
           .limit(0, 0.01)
           .where_it_applies(),
       Field{&Result::x_O, "x_O", ratio,
@@ -210,7 +210,7 @@ n_req = 1
             "are not counted as long as all are below"}
           .limit(0, 0.01)
           .where_it_applies(),
-      ListField{&Result::worst, "worst", "cycles that do most damage"},
+      ListField{&Result::worst, "worst", "most damaging cycles"},
       ListField{&Result::matrix, "matrix", "rainflow matrix, non-empty classes, with the application factor"},
       ListField{&Result::range_pairs, "range_pairs", "range pairs, in descending order"},
       ListField{&Result::crossings, "crossings", "level crossings, the highest first, without the gate"}};
@@ -258,8 +258,7 @@ n_req = 1
                   "elliptic, sigma_f "
                   "for morrow, gamma for walker, M for fkm"},
       Rule<Input>{&may_be_left, "residue, sigma", "a revolution of a mechanism repeats: its residue must be repeated"},
-      Rule<Input>{[](const Input& in) { return !in.sigma.is_series() || tells_its_extremes(*in.sigma.series); },
-                  "sigma",
+      Rule<Input>{[](const Input& in) { return !in.sigma.is_series() || resolves_extremes(*in.sigma.series); }, "sigma",
                   "36 positions of a turn at least, and between them extremes no more than 1 % of the range larger: "
                   "take more"},
       Rule<Input>{&hcm_repeats, "counting, residue",
@@ -284,8 +283,9 @@ n_req = 1
       Mode<Input>{"mean", "mean stress effect", &has_tension}.wanting("mean"),
       Mode<Input>{"residue", "damage of the rainflow residue", &leaves_residue},
       Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>},
-      Mode<Input>{"multiaxial", "additional stress components", &unseen<Input>}.by_companions().assessed_beside(
-          "fatigue.multiaxial"),
+      Mode<Input>{"multiaxial", "additional stress components", &unseen<Input>}
+          .by_companions()
+          .assessed_additionally_in("fatigue.multiaxial"),
       Mode<Input>{"surroundings", "corrosion, heat and fretting", &unseen<Input>}.special()};
 
   static constexpr bool takes_series = false;

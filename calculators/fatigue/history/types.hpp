@@ -98,7 +98,7 @@ struct HistoryTypes {
     double n = unset<double>, n_least = unset<double>;
     static constexpr Fields fields{Field{&RangePair::from, "from", MPa, "range of the class, lower end"},
                                    Field{&RangePair::to, "to", MPa, "range of the class, upper end"},
-                                   Field{&RangePair::n, "n", ratio, "cycles of that range, halves as 0.5"},
+                                   Field{&RangePair::n, "n", ratio, "cycles of this range, half cycles as 0.5"},
                                    Field{&RangePair::n_least, "n_least", ratio, "cycles at least so large"}};
   };
   struct Crossing {

@@ -64,7 +64,7 @@ void for_each_cycle(const Input& in, bool placed, const Take& take) {
 /// Cycles above the omission level in lots, whose damage is computed together.
 class Lots {
  public:
-  Lots(std::span<const rainflow::SnCurve> curves, Weighed& weighed) : curves_(curves), weighed_(weighed) {
+  Lots(std::span<const rainflow::SnCurve> curves, HistoryDamage& weighed) : curves_(curves), weighed_(weighed) {
     weighed_.damage.assign(curves.size(), 0.0);
   }
 
@@ -92,9 +92,9 @@ class Lots {
   }
 
   void take_worst() {
-    std::vector<Weighty>& worst = weighed_.worst;
+    std::vector<DamagingCycle>& worst = weighed_.worst;
     for (std::size_t i = 0; i < filled_; ++i) {
-      const Weighty one{cycles_[i], lots_.stress[i], cycles_[i].count * lots_.damage[i]};
+      const DamagingCycle one{cycles_[i], lots_.stress[i], cycles_[i].count * lots_.damage[i]};
       const bool is_full = worst.size() == HistoryTypes::most_worst;
       if (is_full && !outweighs(one, worst.back())) continue;
       if (is_full) worst.pop_back();
@@ -102,12 +102,12 @@ class Lots {
     }
   }
 
-  static bool outweighs(const Weighty& a, const Weighty& b) {
+  static bool outweighs(const DamagingCycle& a, const DamagingCycle& b) {
     return a.damage > b.damage || (a.damage == b.damage && a.stress > b.stress);
   }
 
   std::span<const rainflow::SnCurve> curves_;
-  Weighed& weighed_;
+  HistoryDamage& weighed_;
   std::array<Cycle, rainflow::lot> cycles_;
   rainflow::DamageSum::Lots lots_{};
   std::size_t filled_ = 0;
@@ -126,11 +126,11 @@ double largest_on_curve(const Input& in) {
   return largest;
 }
 
-Weighed weigh(const Input& in, std::span<const rainflow::SnCurve> curves, bool keeps_levels) {
+HistoryDamage weigh(const Input& in, std::span<const rainflow::SnCurve> curves, bool keeps_levels) {
   const Haigh haigh = haigh_of(in);
   const double gate = in_si(in.gate);
   NoTrace quiet;
-  Weighed weighed, left_out;
+  HistoryDamage weighed, left_out;
   Lots kept(curves, weighed), small(curves.first(1), left_out);
   const Stress end = counts_means(in) ? largest_mean(haigh, rule_of(in)) : unset<Stress>;
   if (is_set(end)) weighed.largest_mean = 0.0;

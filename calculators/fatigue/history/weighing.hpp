@@ -23,18 +23,18 @@ template <class Tracer>
 Stress on_curve(const HistoryTypes::Input& in, const Haigh& haigh, const rainflow::Cycle& cycle, Tracer& trace);
 
 /// A cycle with its stress on the curve, MPa, and its damage by the curve that weighs, with its count.
-struct Weighty {
+struct DamagingCycle {
   rainflow::Cycle cycle;
   double stress = 0.0, damage = 0.0;
 };
 
-struct Weighed {
+struct HistoryDamage {
   double cycles = 0.0;                  // halves as 0.5
   double largest = 0.0;                 // stress on the curve, MPa
   double largest_mean = unset<double>;  // over the strength that its rule ends at; unset where the rule has no end
   std::vector<double> damage;           // of each curve
   double small = 0.0;                   // damage of the cycles below the omission level, by the first curve
-  std::vector<Weighty> worst;           // by the first curve, the most damaging first; without damage the largest
+  std::vector<DamagingCycle> worst;     // by the first curve, the most damaging first; without damage the largest
   std::vector<rainflow::Level> levels;  // of every cycle, on request
 };
 
@@ -42,7 +42,7 @@ struct Weighed {
 double largest_on_curve(const HistoryTypes::Input& in);
 
 /// `curves`: the first one weighs single cycles.
-Weighed weigh(const HistoryTypes::Input& in, std::span<const rainflow::SnCurve> curves, bool keeps_levels);
+HistoryDamage weigh(const HistoryTypes::Input& in, std::span<const rainflow::SnCurve> curves, bool keeps_levels);
 
 /// Whether a cycle has a mean stress in tension, or any in shear.
 bool has_tensile_mean(const HistoryTypes::Input& in);

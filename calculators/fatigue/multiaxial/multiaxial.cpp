@@ -164,7 +164,7 @@ bool Multiaxial::varies(const Input& in) {
 bool Multiaxial::fine_enough(const Input& in) {
   const auto all = stresses(in);
   return std::all_of(all.begin(), all.end(), [](const Varying<Stress>* stress) {
-    return !stress->is_series() || tells_its_extremes(*stress->series);
+    return !stress->is_series() || resolves_extremes(*stress->series);
   });
 }
 

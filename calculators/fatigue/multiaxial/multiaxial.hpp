@@ -92,7 +92,7 @@ S_F = 1.5
               .customarily_at_most(most_yield_strength)
               .from("material", "R_e", "d_h"),
           modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
-          Choice{&Input::criterion, "criterion", "criterion that decides"}.may_be_missing(),
+          Choice{&Input::criterion, "criterion", "governing criterion"}.may_be_missing(),
           Field{&Input::S_D, "S_D", ratio, "safety factor against fatigue, on the full load path"}
               .at_least(1)
               .usually(1.2, 6)
@@ -125,7 +125,7 @@ S_F = 1.5
   static constexpr Fields results{
       Field{&Result::samples, "samples", ratio, "moments at which the path is known"},
       Field{&Result::k, "k", ratio, "weight of the normal stress by Findley, of both fatigue limits"},
-      Field{&Result::theta_F, "theta_F", deg, "plane of Findley: its normal from that of the surface"},
+      Field{&Result::theta_F, "theta_F", deg, "critical plane of Findley: angle of its normal from the surface normal"},
       Field{&Result::phi_F, "phi_F", deg, "plane of Findley: its normal along the surface, from x to y"},
       Field{&Result::tau_F, "tau_F", MPa, "amplitude of its shear stress: radius of the minimum circumscribed circle"}
           .holding("K_A"),
@@ -158,11 +158,11 @@ S_F = 1.5
       Field{&Result::n_DV, "n_DV", ratio, "safety by Dang Van"}.may_be_infinite(),
       Field{&Result::n_v, "n_v", ratio, "safety by von Mises in phase, without mean stress: to compare, never decides"}
           .may_be_infinite(),
-      Field{&Result::n, "n", ratio, "safety by the criterion that decides"}.may_be_infinite(),
+      Field{&Result::n, "n", ratio, "safety factor by the governing criterion"}.may_be_infinite(),
       Field{&Result::n_y, "n_y", ratio, "safety against yielding at the most stressed moment"},
       Field{&Result::u_D, "u_D", ratio, "fatigue: required / calculated safety factor"}.check().where_it_applies(),
-      Field{&Result::x_D, "x_D", ratio, "tau_D over sigma_D: of the metals that the criteria are of"}.limit(0.5 - 1e-9,
-                                                                                                            0.8 + 1e-9),
+      Field{&Result::x_D, "x_D", ratio, "tau_D / sigma_D: range of metals covered by the criteria"}.limit(0.5 - 1e-9,
+                                                                                                          0.8 + 1e-9),
       Field{&Result::x_C, "x_C", ratio, "Crossland only: sqrt(3) tau_D / sigma_D, at least 1"}
           .limit(1 - 1e-9, std::numeric_limits<double>::infinity())
           .where_it_applies(),

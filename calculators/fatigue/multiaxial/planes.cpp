@@ -49,7 +49,7 @@ bool is_top(const Grid& grid, int row, int column) {
 }
 
 /// The highest tops of a grid, the first of those that are as high.
-struct Tops {
+struct Maxima {
   struct Top {
     Normal normal;
     double value = -1.0;
@@ -63,8 +63,8 @@ struct Tops {
   }
 };
 
-Tops tops_of(const Grid& grid) {
-  Tops tops;
+Maxima tops_of(const Grid& grid) {
+  Maxima tops;
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       if (is_top(grid, row, column))
@@ -96,7 +96,7 @@ OnPlane followed_from(const StressPath& path, double k, const Normal& start) {
 }
 
 /// theta from 0 to 90 deg, phi from 0 to 180 deg.
-Normal told(Normal normal) {
+Normal in_upper_half(Normal normal) {
   normal.theta = std::fmod(normal.theta, pi);
   if (normal.theta < 0.0) normal.theta += pi;
   if (normal.theta > pi / 2.0) normal.theta = pi - normal.theta;
@@ -124,10 +124,10 @@ bool is_worse(const OnPlane& one, const OnPlane& other, double k) {
 
 OnPlane searched(const StressPath& path, double k, double start) {
   OnPlane worst;
-  for (const Tops::Top& top : tops_of(grid_of(path, k, start)).best) {
+  for (const Maxima::Top& top : tops_of(grid_of(path, k, start)).best) {
     if (top.value < 0.0) continue;
     OnPlane found = followed_from(path, k, top.normal);
-    found.normal = told(found.normal);
+    found.normal = in_upper_half(found.normal);
     if (is_worse(found, worst, k)) worst = found;
   }
   return worst;
@@ -169,7 +169,7 @@ WorstPlane plane_of_most_shear(const StressPath& path, double mu) {
   const WorstPlane first = worst_plane(path, hardly * mu), other = worst_plane(path, somewhat * mu);
   if (angle_between(first.plane.normal, other.plane.normal) < apart) return first;
   OnPlane settled = followed_from(path, hardly * mu, other.plane.normal);
-  settled.normal = told(settled.normal);
+  settled.normal = in_upper_half(settled.normal);
   const bool as_much = settled.tau_a > (1.0 - alike) * first.plane.tau_a;
   return as_much && is_worse(settled, first.plane, mu) ? WorstPlane{settled, other.apart} : first;
 }

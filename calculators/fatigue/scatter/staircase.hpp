@@ -94,7 +94,7 @@ P_s = 0.9
       Field{&Result::s, "s", MPa, "standard deviation of the strength"},
       Field{&Result::s_lg, "s_lg", ratio, "standard deviation of lg S"},
       Field{&Result::T_S, "T_S", ratio, "scatter: S at 10 % over S at 90 % survival, above 1"},
-      Field{&Result::S_P, "S_P", MPa, "strength that the share P_s survives, with 50 % confidence; none below 0"},
+      Field{&Result::S_P, "S_P", MPa, "strength with survival probability P_s at 50 % confidence; none below 0"},
       Field{&Result::x_s, "x_s", ratio, "D; the formula of the standard deviation applies from 0.3"}.limit(
           0.3 - 1e-9, std::numeric_limits<double>::infinity()),
       Field{&Result::x_n, "x_n", ratio, "number of tests, at least 15 for a scatter"}.limit(15, most_tests),

@@ -64,7 +64,7 @@ P = 0.975
           .usually(1.2, 30)
           .may_be_missing(),
       Field{&Input::k, "k", ratio, "slope of the line, N S^k = const"}.within(1, 32).usually(3, 20).may_be_missing(),
-      Field{&Input::P_0, "P_0", ratio, "survival probability at which they are known"}.within(1e-6, 1 - 1e-6),
+      Field{&Input::P_0, "P_0", ratio, "survival probability of the known values"}.within(1e-6, 1 - 1e-6),
       Field{&Input::P, "P", ratio, "required survival probability"}.within(1e-6, 1 - 1e-6).customarily_at_least(0.9)};
 
   struct Result {

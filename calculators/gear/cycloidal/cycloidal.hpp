@@ -61,7 +61,7 @@ d_p = "3 mm"
       Count{&Input::z_2, "z_2", 6, 2000, "number of teeth of the wheel"},
       Field{&Input::d_p, "d_p", mm, "diameter of the pins"}.positive().may_be_missing(),
       Field{&Input::j, "j", mm, "backlash on the pitch circle, by thinner teeth of the wheel"}.at_least(0),
-      Field{&Input::k_a, "k_a", ratio, "share of the height of pointed teeth that the tips keep"}.within(0.1, 1)};
+      Field{&Input::k_a, "k_a", ratio, "tooth height / height of pointed teeth"}.within(0.1, 1)};
 
   struct Result {
     double i = unset<double>;

@@ -28,7 +28,7 @@ struct MeshOfSet {
       Field{&MeshOfSet::x_1, "x_1", ratio, "profile shift coefficient, gear 1"},
       Field{&MeshOfSet::x_2, "x_2", ratio, "profile shift coefficient, gear 2"},
       Field{&MeshOfSet::h_aP, "h_aP", ratio, "addendum of the basic rack, in modules"},
-      Field{&MeshOfSet::d_a2, "d_a2", mm, "tip diameter of the ring gear, if it has its own addendum"},
+      Field{&MeshOfSet::d_a2, "d_a2", mm, "tip diameter of the ring gear, if its addendum differs"},
       Field{&MeshOfSet::T_1, "T_1", N_m, "torque on gear 1 from this mesh, positive if gear 1 drives"}.load().holding(
           "K_gamma"),
       Field{&MeshOfSet::n_1, "n_1", rpm, "speed of gear 1 relative to the carrier"},

@@ -12,13 +12,13 @@ using Failure = PairSizingTypes::Failure;
 using By = PairSizingTypes::By;
 
 /// What keeps a pair from passing: limits that it leaves, its largest check, and the mode that rejects it.
-struct Lack {
+struct Shortfall {
   int limits = 0;
   double check = 0.0;
   Failure failure = Failure::none;
 
   [[nodiscard]] bool none() const { return failure == Failure::none; }
-  [[nodiscard]] bool less_than(const Lack& other) const {
+  [[nodiscard]] bool less_than(const Shortfall& other) const {
     return limits != other.limits ? limits < other.limits : check < other.check;
   }
 };
@@ -27,7 +27,7 @@ struct Lack {
 struct Found {
   RatingTypes::Input teeth;
   Candidate row;
-  Lack lack;
+  Shortfall shortfall;
 };
 
 }  // namespace loadpath::gear::sizing

@@ -17,18 +17,18 @@ struct Rated {
 
   /// In the order of the ranking if they are equally near.
   bool operator<(const Rated& other) const {
-    if (found.lack.less_than(other.found.lack)) return true;
-    return !other.found.lack.less_than(found.lack) && point < other.point;
+    if (found.shortfall.less_than(other.found.shortfall)) return true;
+    return !other.found.shortfall.less_than(found.shortfall) && point < other.point;
   }
 };
 
 /// An option with the least shortfall that its pairs can have.
-struct Hope {
+struct ShortfallBound {
   std::size_t option;
   int limits;
   double check;
 
-  bool operator>(const Hope& other) const {
+  bool operator>(const ShortfallBound& other) const {
     return std::tie(limits, check, option) > std::tie(other.limits, other.check, other.option);
   }
 };
@@ -41,14 +41,14 @@ class Search {
   /// Whether pairs with at least this shortfall may be among the nearest. A bound that is not a number excludes none.
   [[nodiscard]] bool wants(int limits, double check) const {
     if (nearest_.size() < most_rows) return true;
-    const Lack& worst = nearest_.back().found.lack;
+    const Shortfall& worst = nearest_.back().found.shortfall;
     return limits != worst.limits ? limits < worst.limits : !(check > worst.check);
   }
   [[nodiscard]] bool passes() const { return passes_; }
 
   /// The widths of an option, the widest first: narrower ones have larger bounds. Only the first width counts where no
   /// width helps.
-  void rate(const Hope& hope) {
+  void rate(const ShortfallBound& hope) {
     RatingTypes::Input teeth = range_.teeth(hope.option);
     const PairResult g = laid_out(teeth);
     const Option& option = range_.options[hope.option];
@@ -58,9 +58,9 @@ class Search {
       teeth.b = widths[i] * mm;
       if (!is_admissible(teeth)) continue;
       Found one = rated(in_, teeth);
-      passes_ = one.lack.none();
+      passes_ = one.shortfall.none();
       if (passes_) return;
-      const bool no_width_helps = !is_of_load(one.lack.failure);
+      const bool no_width_helps = !is_of_load(one.shortfall.failure);
       if (no_width_helps && i > 0) {
         i = 1;
         continue;
@@ -117,7 +117,7 @@ double Bounds::least(const Input& in, const Option& option) const {
 }
 
 Nearest nearest_of(const Input& in, const Range& range, const Bounds& bounds) {
-  std::vector<Hope> hopes;
+  std::vector<ShortfallBound> hopes;
   for (std::size_t i = 0; i < range.options.size(); ++i) {
     const double bound = bounds.least(in, range.options[i]);
     hopes.push_back({i, bounds.reject(range.options[i]) ? 1 : 0, std::isnan(bound) ? 0.0 : bound});

@@ -28,23 +28,24 @@ Failure failure_of(std::string_view key) {
 
 /// Contribution of one result of gear.rating. A limit outweighs every check; the first one names the mode.
 template <class F>
-void take(const F& field, const RatingTypes::Result& r, Lack& lack) {
+void take(const F& field, const RatingTypes::Result& r, Shortfall& shortfall) {
   if constexpr (requires { field.asked_by; }) {
     const double value = in_si(r.*field.at) / in_si(field.unit.one);
     if (field.role == Role::check) {
-      const bool fails = !(value <= 1.0) && !(value <= lack.check) && lack.limits == 0;
-      if (fails) lack.failure = failure_of(field.key);
-      if (std::isnan(value)) ++lack.limits;
-      lack.check = std::max(lack.check, value);
+      const bool fails = !(value <= 1.0) && !(value <= shortfall.check) && shortfall.limits == 0;
+      if (fails) shortfall.failure = failure_of(field.key);
+      if (std::isnan(value)) ++shortfall.limits;
+      shortfall.check = std::max(shortfall.check, value);
     }
-    if (field.role == Role::limit && is_outside(field, r) && lack.limits++ == 0) lack.failure = failure_of(field.key);
+    if (field.role == Role::limit && is_outside(field, r) && shortfall.limits++ == 0)
+      shortfall.failure = failure_of(field.key);
   }
 }
 
-Lack lack_of(const RatingTypes::Result& r) {
-  Lack lack;
-  loadpath::apply([&](const auto&... field) { (take(field, r, lack), ...); }, Rating::results_of_pair);
-  return lack;
+Shortfall shortfall_of(const RatingTypes::Result& r) {
+  Shortfall shortfall;
+  loadpath::apply([&](const auto&... field) { (take(field, r, shortfall), ...); }, Rating::results_of_pair);
+  return shortfall;
 }
 
 Mass mass_of(const Input& in, const PairResult& g, double b) {
@@ -54,14 +55,14 @@ Mass mass_of(const Input& in, const PairResult& g, double b) {
 /// In m, to a nanometre: pairs of one centre distance must not differ by rounding errors.
 double rounded(Length a) { return std::round(in_si(a) * 1e9) / 1e9; }
 
-Candidate row_of(const Input& in, const TeethInput& teeth, const RatingTypes::Result& r, const Lack& lack) {
+Candidate row_of(const Input& in, const TeethInput& teeth, const RatingTypes::Result& r, const Shortfall& shortfall) {
   const PairResult g = laid_out(teeth);
   Candidate c;
   c.m_n = teeth.m_n, c.z_1 = teeth.z_1, c.z_2 = teeth.z_2, c.beta = teeth.beta, c.b = teeth.b;
   c.x_1 = teeth.x_1, c.x_2 = g.x_2, c.a_w = g.a_w;
   c.mass = mass_of(in, g, teeth.b / mm);
   c.S_H = std::min(r.S_H1, r.S_H2), c.S_F = std::min(r.S_F1, r.S_F2);
-  c.u = lack.check, c.failure = lack.failure;
+  c.u = shortfall.check, c.failure = shortfall.failure;
   return c;
 }
 
@@ -82,14 +83,14 @@ bool is_admissible(const TeethInput& teeth) {
 Found rated(const Input& in, const TeethInput& teeth) {
   NoTrace quiet;
   const RatingTypes::Result r = Rating::evaluate(teeth, quiet);
-  const Lack lack = lack_of(r);
-  return {teeth, row_of(in, teeth, r, lack), lack};
+  const Shortfall shortfall = shortfall_of(r);
+  return {teeth, row_of(in, teeth, r, shortfall), shortfall};
 }
 
 Found unrated(const Input& in, const TeethInput& teeth) {
-  Lack lack;
-  lack.check = unset<double>, lack.failure = Failure::fit;
-  return {teeth, row_of(in, teeth, {}, lack), lack};
+  Shortfall shortfall;
+  shortfall.check = unset<double>, shortfall.failure = Failure::fit;
+  return {teeth, row_of(in, teeth, {}, shortfall), shortfall};
 }
 
 }  // namespace loadpath::gear::sizing

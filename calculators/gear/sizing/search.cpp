@@ -42,8 +42,8 @@ struct Walk {
 };
 
 void keep_nearest(const Found& one, std::vector<Found>& nearest) {
-  const auto place =
-      std::find_if(nearest.begin(), nearest.end(), [&](const Found& other) { return one.lack.less_than(other.lack); });
+  const auto place = std::find_if(nearest.begin(), nearest.end(),
+                                  [&](const Found& other) { return one.shortfall.less_than(other.shortfall); });
   nearest.insert(place, one);
   if (nearest.size() > most_rows) nearest.pop_back();
 }
@@ -52,19 +52,19 @@ void keep_rejected(const Found& one, Walk& walk, Result& r) {
   if (r.found > 0.0) return;
   if (r.rejected.size() == most_rows) r.rejected.pop_back();
   r.rejected.insert(r.rejected.begin(), one.row);
-  if (one.lack.failure != Failure::fit) keep_nearest(one, walk.nearest);
+  if (one.shortfall.failure != Failure::fit) keep_nearest(one, walk.nearest);
 }
 
 /// Keeps one point; its option is settled once it passes, or where no width helps.
 void keep(const Found& one, const Point& point, std::size_t place, Walk& walk, Result& r) {
-  if (one.lack.none()) {
+  if (one.shortfall.none()) {
     if (r.found == 0.0) walk.best = one, walk.place = place;
     r.found += 1.0;
     r.candidates.push_back(one.row);
   } else {
     keep_rejected(one, walk, r);
   }
-  walk.settled[point.option] = !is_of_load(one.lack.failure) || one.lack.none();
+  walk.settled[point.option] = !is_of_load(one.shortfall.failure) || one.shortfall.none();
 }
 
 /// Where none passes, the pairs nearest to passing are shown instead of those that rank last.
@@ -84,7 +84,7 @@ bool is_reached(const Input& in, const Range& range, const Point& point) {
   if (here == all.begin()) return true;
   Point before = point;
   before.b = *(here - 1);
-  return is_of_load(tried(in, range, before).lack.failure);
+  return is_of_load(tried(in, range, before).shortfall.failure);
 }
 
 /// The rejected pairs ahead of the best one, which a walk by the bounds has left out.

@@ -197,7 +197,7 @@ s_K = 0.2
       Field{&Result::phi_slow, "phi_slow", deg, "crank angle of the minimum speed"},
       Field{&Result::M_max, "M_max", N_m, "maximum torque of the motor in the steady cycle"},
       Field{&Result::M_min, "M_min", N_m, "minimum torque of the motor in the steady cycle"},
-      Field{&Result::M_rms, "M_rms", N_m, "root mean square torque of the motor over the time, which heats it"},
+      Field{&Result::M_rms, "M_rms", N_m, "root mean square torque of the motor over time (thermal load)"},
       Field{&Result::A_L, "A_L", J, "work of the load in a cycle"},
       Field{&Result::A_M, "A_M", J, "work of the motor in a cycle, at its shaft"},
       Field{&Result::A_V, "A_V", J, "loss between motor and crank in a cycle"},
@@ -207,7 +207,7 @@ s_K = 0.2
       Field{&Result::x_A, "x_A", ratio,
             "energy balance of the cycle: difference of the works / work or energy fluctuation, the larger"},
       Field{&Result::x_t, "x_t", ratio, "difference of the steady cycle from its integration over the time"},
-      Field{&Result::x_n, "x_n", ratio, "maximum speed of the motor over the last one of its line"}
+      Field{&Result::x_n, "x_n", ratio, "maximum motor speed / last speed of the motor curve"}
           .limit(0, 1)
           .where_it_applies(),
       Field{&Result::u_A, "u_A", ratio, "start: moment of the load over that of the motor at rest"}.check(),
@@ -232,7 +232,7 @@ s_K = 0.2
       Rule<Input>{&has_one_load, "M, M_of_phi, points", "give the load once: as M, as M_of_phi, or as points"},
       Rule<Input>{[](const Input& in) { return !is_set(in.J_red) || in.J_of_phi.empty(); }, "J_red, J_of_phi",
                   "give the reduced moment of inertia once: as J_red or as J_of_phi"},
-      Rule<Input>{&laws_read, "M_of_phi, J_of_phi, period", "the formulas must have values that repeat", &law_fault},
+      Rule<Input>{&laws_read, "M_of_phi, J_of_phi, period", "the values of the formulas must be periodic", &law_fault},
       Rule<Input>{&points_rise, "points, period",
                   "points need two or more angles, none below the one before, and all within one period"},
       Rule<Input>{[](const Input& in) { return in_si(in.J_F) > 0.0 || in_si(in.J_M) > 0.0; }, "J_F, J_M",

@@ -33,7 +33,7 @@ FieldFault gap_of(const LawOfAngle& one, const Law& law, double period) {
   const std::string place = format_quantity(gap.from, deg.symbol, 4);
   if (gap.from < gap.to)
     return {one.key, say("near phi = {1} the formula jumps, or varies too fast to be followed", place),
-            say("it has a pole there, or too many waves in the period; give a jump of the load by points")};
+            say("it has a pole there, or too many oscillations in the period; give a jump of the load by points")};
   return {one.key, say("the formula has no value at phi = {1}", place),
           say("it divides by zero there, or takes a root or an arc function outside its range")};
 }

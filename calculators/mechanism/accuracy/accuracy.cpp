@@ -125,12 +125,12 @@ Message method_of(const std::vector<OutputError>& errors) {
   const auto unknown = count_of(errors, [](const OutputError& e) { return !is_known(e); });
   const auto open = count_of(errors, [](const OutputError& e) { return e.status == Status::does_not_close; });
   const auto anew = count_of(errors, [](const OutputError& e) { return e.recomputed; });
-  const auto told = [&](std::string_view id, std::size_t count) {
+  const auto warned = [&](std::string_view id, std::size_t count) {
     return say(id, std::to_string(count), std::to_string(errors.size()));
   };
-  if (open > 0) return told("some corners do not close, at {1} of {2} positions", open);
-  if (unknown > 0) return told("not available at {1} of {2} positions: dead point, jam or no forces", unknown);
-  if (anew > 0) return told("corners solved again, at {1} of {2} positions", anew);
+  if (open > 0) return warned("some corners do not close, at {1} of {2} positions", open);
+  if (unknown > 0) return warned("not available at {1} of {2} positions: dead point, jam or no forces", unknown);
+  if (anew > 0) return warned("corners solved again, at {1} of {2} positions", anew);
   return say("derivatives; two corners solved again at each position");
 }
 

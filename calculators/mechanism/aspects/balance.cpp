@@ -104,7 +104,7 @@ constexpr std::array frame_rows{
            [](const Balanced& b) { return b.after.rms_force; }},
     Single{declare("frame.F_peak_balanced", "maximum residual magnitude", N, with_counterweights, {.detail = true}),
            [](const Balanced& b) { return b.after.peak_force; }},
-    Single{declare("frame.M_peak_balanced", "maximum shaking moment with them, about the global origin", N_m,
+    Single{declare("frame.M_peak_balanced", "maximum shaking moment with counterweights, about the global origin", N_m,
                    with_counterweights, {.detail = true}),
            [](const Balanced& b) { return b.after.peak_moment; }, true}};
 constexpr Declaration left_over =

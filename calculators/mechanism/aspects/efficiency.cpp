@@ -106,7 +106,7 @@ void show_efficiency(const Solved& solved, const Results& results, std::vector<a
   const account::Entry* const use = results.find(Kind::useful_power);
   const bool turns = solved.axis != nullptr && solved.axis->cyclic();
   if (!turns || (friction == nullptr && use == nullptr) || power == nullptr) return;
-  account::Table table{say("Power over the turn"), {say("quantity"), say("mean")}, {}};
+  account::Table table{say("Power over the revolution"), {say("quantity"), say("mean")}, {}};
   const double drive = mean_of(power), lost = mean_of(friction);
   table.rows.push_back({say("power of the drive"), Quantity{drive, "W"}});
   if (friction != nullptr) {

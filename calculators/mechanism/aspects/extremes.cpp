@@ -24,8 +24,8 @@ double mean_of(const Value& series) {
 
 /// A value of a result, or why it is missing.
 Cell value_cell(const account::Entry& e, double si) {
-  const bool told = std::isnan(si) && !e.missing.empty();
-  return told ? Cell(say("not available: {1}", e.missing)) : Cell(Quantity{si, e.unit});
+  const bool is_missing = std::isnan(si) && !e.missing.empty();
+  return is_missing ? Cell(say("not available: {1}", e.missing)) : Cell(Quantity{si, e.unit});
 }
 
 /// Results that are not unique have a table of their own.

@@ -38,7 +38,7 @@ constexpr std::array turning_rows{
         "shafts.NAME.F_y", "force of the link on its shaft along y", N, {.is_load = true, .with = "F_x, T"},
         [](const Turning& t, const Position& p) { return t.sign * p.reactions[t.joint].force.y; }, nullptr, turning),
     row<Turning>(
-        "shafts.NAME.T", "torque that the link takes from its shaft; negative: torque returned", N_m,
+        "shafts.NAME.T", "torque on the link from its shaft; negative: torque returned", N_m,
         {.is_load = true, .with = "F_x, F_y"}, [](const Turning& t, const Position& p) { return t.torque(p); }, nullptr,
         turning),
     row<Turning>(

@@ -115,7 +115,7 @@ class CourseCheck {
       add(course, "",
           say("'{1}' is a function of time, and the crank turns against the order of its positions",
               course.name.view()),
-          say("give 'at' in the order in which the crank comes by"));
+          say("give 'at' in the order in which the crank reaches the angles"));
     if (by_stroke(course)) return check_stroke(course);
     if (!course.stroke_of.empty())
       add(course, "stroke_of", say("'{1}' is not a function of a stroke", course.name.view()), say("leave it out"));
@@ -204,7 +204,7 @@ double time_at(const Mechanism::Input& in, std::span<const double> at, std::size
 std::vector<FieldFault> check_courses(const Mechanism::Input& in) { return CourseCheck(in).run(); }
 
 account::Table course_table(const Mechanism::Input& in) {
-  account::Table table{say("Courses of loads"), {say("name"), say("goes by"), say("share")}, {}};
+  account::Table table{say("Load curves"), {say("name"), say("goes by"), say("share")}, {}};
   for (const Course& course : in.courses) {
     const std::size_t points = course.over_time.size() + course.over_stroke.size();
     std::string shares = points > 0 ? std::to_string(points) + " points" : "";

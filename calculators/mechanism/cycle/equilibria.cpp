@@ -259,7 +259,7 @@ std::vector<FieldFault> check_equilibrium(const Mechanism::Input& in, const mech
   std::vector<FieldFault> faults;
   if (model.drivers.size() != 1)
     faults.push_back(not_covered("analysis", say("positions of equilibrium are sought along the motion of one drive"),
-                                 say("name the joint that the mechanism moves by as a crank, or one cylinder with "
+                                 say("name the joint that drives the mechanism as a crank, or one cylinder with "
                                      "'from' and 'to'; the other cylinders get a given force F")));
   if (has_law(in))
     faults.push_back(not_covered("analysis", say("a law of motion does not apply at rest"),

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double negligible = 0.02;    // share of the largest magnitude that positions may miss
 constexpr double near_enough = 0.005;  // distance of a formula and its line with corners
-constexpr double beside = 1e-7;        // width of a jump, rad or parts of a range
+constexpr double jump_width = 1e-7;    // width of a jump, rad or parts of a range
 
 using Corners = std::vector<std::pair<double, double>>;
 
@@ -51,7 +51,7 @@ LawLine watched_drive(const DriveLaw& law, std::string name, const std::vector<d
     watched.complete = resolved.complete;
     return finished(std::move(watched));
   }
-  const double apart = beside * (law.last() - law.first());
+  const double apart = jump_width * (law.last() - law.first());
   for (const double t : knots) {
     for (const double at : {t - apart, t + apart}) {
       if (at >= law.first() && at <= law.last()) watched.corners.emplace_back(at, law.at(at).second);
@@ -107,7 +107,7 @@ std::optional<LawLine::Miss> LawLine::worst_between(double x_0, double x_1, doub
 LawLine watched_shares(const planar::Load& load, double period) {
   LawLine watched{.name = load.name.empty() ? "a load" : "the load '" + std::string(load.name.view()) + "'"};
   for (const auto& share : load.over) watched.corners.emplace_back(share.angle, share.share);
-  part_jumps(watched.corners, beside);
+  part_jumps(watched.corners, jump_width);
   watched.period = period;
   watched.has_corners = true;
   return finished(std::move(watched));
@@ -162,7 +162,7 @@ std::optional<LawLine> watched_cam(const mechanism::Joint& joint, std::size_t in
   double from = 0.0;
   for (const double to : ends_of_segments) {
     for (int i = 0; i <= parts; ++i) {
-      const double share = i == 0 ? beside : i == parts ? 1.0 - beside : static_cast<double>(i) / parts;
+      const double share = i == 0 ? jump_width : i == parts ? 1.0 - jump_width : static_cast<double>(i) / parts;
       const double angle = from + (to - from) * share;
       watched.corners.emplace_back(sense * angle, lift->at(angle).second);
     }

@@ -97,8 +97,10 @@ void ResultRounding::clear(Value& value, bool direction) const {
   if (!direction) return decimals.round(value.si, value.rounding);
   for (std::size_t i = 0; i < value.si.size(); ++i) {
     double& x = value.si[i];
-    const double beside = i > 0 ? value.si[i - 1] : value.si.size() > 1 ? value.si[1] : pi;  // the turn goes on from it
-    if (std::abs(x + pi) <= value.rounding && beside > 0.0) x = pi;
+    const double adjacent = i > 0                 ? value.si[i - 1]
+                            : value.si.size() > 1 ? value.si[1]
+                                                  : pi;  // the turn goes on from it
+    if (std::abs(x + pi) <= value.rounding && adjacent > 0.0) x = pi;
     x = std::abs(x) <= value.rounding ? 0.0 : decimals.nearest(x);
   }
 }

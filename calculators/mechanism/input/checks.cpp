@@ -87,7 +87,7 @@ class NameCheck {
   void require_turning(const Name& name) {
     for (const auto& j : in_.joints) {
       if (j.name == name && j.type != planar::Type::revolute) {
-        faults_.add("crank.joint", say("a crank needs a revolute joint, and '{1}' is none", name.view()),
+        faults_.add("crank.joint", say("a crank needs a revolute joint, and '{1}' is not one", name.view()),
                     say("drive a slide or a slot by a cylinder: cylinders.C1 = { joint = \"{1}\", ... }", name.view()));
       }
     }

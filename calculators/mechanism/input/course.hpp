@@ -20,7 +20,7 @@ struct Course {
     Length s = unset<Length>;
     double share = unset<double>;
     static constexpr Fields fields{Field{&AtPlace::s, "s", mm, "length of the cylinder, or position along the guide"},
-                                   Field{&AtPlace::share, "share", ratio, "share of F and M there"}};
+                                   Field{&AtPlace::share, "share", ratio, "share of F and M at this position"}};
   };
   std::vector<AtPlace> over_stroke;
   Formula share_of_phi, share_of_t, share_of_s;

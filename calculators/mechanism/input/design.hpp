@@ -57,15 +57,13 @@ struct Counterweight {
   Mass mass = 0.0 * kg.one;
   static constexpr Fields fields{
       NameField{&Counterweight::name, "name", "name of the counterweight"},
-      NameField{&Counterweight::link, "link", "link that it is fixed to"},
-      NameField{&Counterweight::at, "at", "point of the link that its arm begins at: the pivot"},
-      Field{&Counterweight::radius, "radius", mm, "length of its arm, where its mass is wanted"}
-          .positive()
-          .may_be_missing(),
+      NameField{&Counterweight::link, "link", "link that carries the counterweight"},
+      NameField{&Counterweight::at, "at", "pivot: point of the link from which the arm is measured"},
+      Field{&Counterweight::radius, "radius", mm, "length of the arm, to find the mass"}.positive().may_be_missing(),
       Field{&Counterweight::direction, "direction", deg,
             "direction of its arm in the link's axes; omitted: the best one"}
           .may_be_missing(),
-      Field{&Counterweight::mass, "mass", kg, "its mass, where the pivot moves"}.at_least(0)};
+      Field{&Counterweight::mass, "mass", kg, "mass of the counterweight, if the pivot moves"}.at_least(0)};
 };
 enum class Balance { rms, peak };
 

@@ -14,7 +14,7 @@ enum class Useful { no, yes };
 struct Share {
   double angle = unset<double>, share = unset<double>;
   static constexpr Fields fields{Field{&Share::angle, "angle", deg, "crank angle"}.within(-3600, 3600),
-                                 Field{&Share::share, "share", ratio, "share of F and M there"}};
+                                 Field{&Share::share, "share", ratio, "share of F and M at this position"}};
 };
 struct Load {
   Name name, link, at;
@@ -28,8 +28,8 @@ struct Load {
   Useful useful = Useful::no;
   static constexpr Fields fields{
       NameField{&Load::name, "name", "name of the load"}.may_be_missing(),
-      NameField{&Load::link, "link", "link that it acts on"},
-      NameField{&Load::at, "at", "point that the force acts at"}.may_be_missing(),
+      NameField{&Load::link, "link", "link on which the load acts"},
+      NameField{&Load::at, "at", "point at which the force acts"}.may_be_missing(),
       Field{&Load::F, "F", N, "force, with its direction"}.load().may_be_missing(),
       Field{&Load::direction, "direction", deg, "direction of the force, from the x axis"}.may_be_missing(),
       Field{&Load::F_x, "F_x", N, "force along x, in place of F and direction"}.load().may_be_missing(),

@@ -171,7 +171,7 @@ F_y = "0 N"
       Mode<Input>{"resolution", "position resolution of peak reactions", &always<Input>}
           .judged_by("resolution")
           .of_shape(),
-      Mode<Input>{"strength", "strength of unchecked links and pins", &unseen<Input>}.assessed_beside(
+      Mode<Input>{"strength", "strength of unchecked links and pins", &unseen<Input>}.assessed_additionally_in(
           "link.member, pin.joint, column.buckling, shaft.design"),
       Mode<Input>{"pins", "wear of pin joints (pv value)", &unseen<Input>}.special()};
 };

@@ -18,7 +18,7 @@ struct Point {
       Field{&Point::x, "x", mm, "x coordinate in the axes of the link"}.may_be_missing(),
       Field{&Point::y, "y", mm, "y coordinate in the axes of the link"}.may_be_missing(),
       Field{&Point::r, "r", mm, "distance from the origin, in place of x and y"}.may_be_missing(),
-      Field{&Point::angle, "angle", deg, "direction of that distance, from the x axis"}.may_be_missing()};
+      Field{&Point::angle, "angle", deg, "direction of the distance r, from the x axis"}.may_be_missing()};
 };
 struct Origin {
   Length x = unset<Length>, y = unset<Length>;

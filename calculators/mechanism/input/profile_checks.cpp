@@ -144,11 +144,11 @@ class ValueCheck {
     }
     if (std::abs(rise) > 1e-9 * size) {
       add("segments",
-          say("after a revolution the follower is {1} away from where it started", format_quantity(rise, unit, 5)),
+          say("after a revolution the follower is {1} away from its initial position", format_quantity(rise, unit, 5)),
           say("total rise and total fall must be equal"));
     } else if (least < -1e-9 * size) {
       add("segments",
-          say("the follower sinks {1} below where it is on the base circle", format_quantity(-least, unit, 5)),
+          say("the follower falls {1} below its position on the base circle", format_quantity(-least, unit, 5)),
           say("begin with the rise, on the base circle"));
     }
     if (size == 0.0) add("segments", say("the follower never moves"), say("give a segment a lift"));

@@ -141,7 +141,7 @@ std::vector<account::Table> profile_tables(const Mechanism::Input& in) {
   const auto length = [](const Length& l, bool has) {
     return has && is_set(l) ? Cell(Quantity{in_si(l), "mm"}) : Cell(std::string("–"));
   };
-  account::Table table{say("Profiles of cams"),
+  account::Table table{say("Cam profiles"),
                        {say("profile"), say("shape"), say("base circle"), say("roller"), say("offset"), say("pivot"),
                         say("arm"), say("radius of the circle"), say("the cam turns")},
                        {}};

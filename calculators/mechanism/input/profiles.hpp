@@ -1,4 +1,4 @@
-// Profiles of cams from the words of a project to those of the solver.
+// Cam profiles from the words of a project to those of the solver.
 #pragma once
 
 #include "calculators/mechanism/input/mechanism.hpp"

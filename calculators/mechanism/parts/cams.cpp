@@ -32,7 +32,7 @@ struct Cam {
 
 constexpr std::array cam_rows{
     row<Cam>(
-        "joints.NAME.N", "force that the cam pushes the follower with; negative: the follower lifts off", N,
+        "joints.NAME.N", "contact force of the cam on the follower; negative: the follower lifts off", N,
         {.tabled = Tabled::always, .is_load = true}, [](const Cam& c, const Position& p) { return c.at(p).pressing; },
         nullptr, "cams"),
     row<Cam>(

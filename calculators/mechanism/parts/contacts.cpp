@@ -66,8 +66,8 @@ constexpr std::array guide_rows{
         {.tabled = Tabled::always, .is_load = true}, [](const Guide&, const Guide::Pressure& at) { return at.N; },
         nullptr, "prismatic joints"),
     row<Guide>(
-        "joints.NAME.h", "point of action of that force: distance from the first link's point, along the guide", mm,
-        {.missing = "where there is none, the guide carries only a couple, or nothing"},
+        "joints.NAME.h", "point of action of the guide force: distance from the first link's point, along the guide",
+        mm, {.missing = "where there is none, the guide carries only a couple, or nothing"},
         [](const Guide&, const Guide::Pressure& at) { return at.M == 0.0   ? 0.0
                                                              : at.N == 0.0 ? none
                                                                            : at.M / at.N; },

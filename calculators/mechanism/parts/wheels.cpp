@@ -48,7 +48,7 @@ constexpr std::array contact_rows{
         {.tabled = Tabled::always, .is_load = true}, [](const Contact& c, const Position& p) { return c.forces(p).N; },
         &Contact::meshes, "gears and racks"),
     row<Contact>(
-        "joints.NAME.N", "force that presses the wheels together; negative: the contact is lost", N,
+        "joints.NAME.N", "contact force between the wheels; negative: the contact is lost", N,
         {.tabled = Tabled::always, .is_load = true}, [](const Contact& c, const Position& p) { return c.forces(p).N; },
         &Contact::rolls, "rolling wheels"),
     row<Contact>(

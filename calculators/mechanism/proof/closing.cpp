@@ -79,7 +79,7 @@ account::Verdict closing(const Solved& solved) {
 account::Verdict no_return(const std::string& step, const Mechanism::Input& in) {
   return {.step = step,
           .symbol = "returns",
-          .meaning = say("after the cycle the mechanism is where it began"),
+          .meaning = say("after the cycle the mechanism is in its initial position"),
           .value = say("elsewhere"),
           .bound = say("after {1} turns", std::to_string(static_cast<int>(in.crank.turns))),
           .state = account::State::fail,
@@ -119,11 +119,11 @@ account::Verdict wound_up(const std::string& step, const Mechanism::Input& in, c
   const std::string name(in.springs[winding.spring].name.view());
   return {.step = step,
           .symbol = "returns_" + name,
-          .meaning = say("after the cycle the spring '{1}' is as it was", name),
+          .meaning = say("after the cycle the spring '{1}' has its initial length", name),
           .value = Quantity{winding.by, "deg", 4},
           .bound = say("the same angle"),
           .state = account::State::fail,
-          .note = say("it is wound up further with every cycle; these results are of the first")};
+          .note = say("it is wound up further in every cycle; these are the results of the first")};
 }
 
 /// Said only of a mechanism with friction.

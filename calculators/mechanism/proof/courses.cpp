@@ -42,7 +42,7 @@ void judge_courses(const Solved& solved, std::vector<account::Verdict>& verdicts
         .symbol = "course_" + text(given.name),
         .meaning = by_points
                        ? say("the points of the course '{1}' reach as far as the mechanism goes", given.name.view())
-                       : say("the formula of the course '{1}' has a value, and no pole near by", given.name.view()),
+                       : say("the formula of the course '{1}' has a value and no pole nearby", given.name.view()),
         .value = say("{1} of {2}", std::to_string(outside.size() - count), std::to_string(outside.size())),
         .bound = say("every position"),
         .state = count == 0 ? account::State::pass : account::State::not_covered});

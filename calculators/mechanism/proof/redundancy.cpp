@@ -16,7 +16,7 @@ void judge_redundancy(const Solved& solved, std::vector<account::Verdict>& verdi
                         .symbol = "determinate",
                         .meaning = say("every reaction follows from equilibrium of rigid links"),
                         .value = say("shared by {1} joints", std::to_string(joints.size())),
-                        .bound = say("no joint holds too much"),
+                        .bound = say("no redundant constraint"),
                         .state = account::State::not_covered,
                         .note = say("{1}: the load sharing depends on clearance and elasticity",
                                     mechanism::too_many(solved.given, joints, freedoms))});

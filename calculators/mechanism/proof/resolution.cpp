@@ -77,7 +77,7 @@ Peaks peaks_at(const Solved& solved, const std::vector<double>& angles) {
 }
 
 /// The largest reaction between the neighbours of a position.
-Peak peak_beside(const Solved& solved, std::size_t top) {
+Peak adjacent_peak(const Solved& solved, std::size_t top) {
   const Axis& axis = *solved.axis;
   const std::size_t last = axis.at.size() - 1;
   const double before = top == 0 ? axis.at[last] - axis.period : axis.at[top - 1];
@@ -92,12 +92,12 @@ Peak peak_beside(const Solved& solved, std::size_t top) {
 
 /// Crank angles of the turn on both sides of those at which the share of a load bends or jumps, rising.
 std::vector<double> corners_of_loads(const Solved& solved) {
-  constexpr double beside = 1e-7;  // rad
+  constexpr double offset = 1e-7;  // rad
   const double first = solved.axis->at.front(), period = std::abs(solved.axis->period);
   std::vector<double> corners;
   for (const auto& load : solved.in.loads) {
     for (const auto& corner : load.over) {
-      for (const double angle : {corner.angle - beside, corner.angle + beside})
+      for (const double angle : {corner.angle - offset, corner.angle + offset})
         corners.push_back(angle - period * std::floor((angle - first) / period));
     }
   }
@@ -148,9 +148,8 @@ account::Verdict unresolved(const Solved& solved) {
   const std::size_t asked = positions_of(solved.in);
   const Message note =
       between.needed == 0
-          ? say("{1} does more between the positions than can be followed: smooth it, or give it by points",
-                between.missed)
-          : say("{1} does more between the {2} positions than they show: {3} of them would show it", between.missed,
+          ? say("{1} varies too fast between the positions: smooth it, or give it by points", between.missed)
+          : say("{1} varies between the {2} positions more than they resolve: use {3} positions", between.missed,
                 std::to_string(asked), std::to_string(between.needed));
   return {.step = solved.step,
           .symbol = "resolution",
@@ -186,7 +185,7 @@ void judge_resolution(const Solved& solved, std::vector<account::Verdict>& verdi
   }
   const auto top = sharp_peak(solved.cycle);
   if (!top) return;
-  const Peak peak = peak_beside(solved, *top);
+  const Peak peak = adjacent_peak(solved, *top);
   const double shown = largest_reaction(solved.cycle.positions[*top]);
   verdicts.push_back(verdict_of(solved, say("maximum reaction between the positions / at the positions"),
                                 peak.force / shown, more_positions(solved, peak, shown, "N")));

@@ -77,8 +77,8 @@ void explain_missing(const Mechanism::Input& in, const Cycle& cycle, Output::Val
     if (series && cycle.has_forces(k) && !values.missing.empty()) return;  // it is missing elsewhere too
     here = here || !series || !cycle.has_forces(k);
   }
-  const bool told = !series && !values.missing.empty();
-  if (!here || told) return;
+  const bool explained = !series && !values.missing.empty();
+  if (!here || explained) return;
   if (Message reason = why_missing(in, cycle); !reason.empty()) values.missing = std::move(reason);
 }
 

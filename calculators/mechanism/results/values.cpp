@@ -103,17 +103,17 @@ class ByPath {
 
 }  // namespace
 
-void fill_results(const std::vector<Output>& told, const std::vector<Output>& read, const Solved& solved,
+void fill_results(const std::vector<Output>& outputs, const std::vector<Output>& read, const Solved& solved,
                   const Magnitudes& magnitudes, const Wants& wants, account::Account& account) {
   Columns columns(solved);
   ByPath by_path(read);
-  const std::vector<Kind> others = kinds_read(told);
+  const std::vector<Kind> others = kinds_read(outputs);
   const auto needed = [&](const Output& output) {
     return solved.axis == nullptr || output.is_single || wants(output.path) ||
            std::ranges::find(others, output.what.facts.kind) != others.end();
   };
   account.results.clear();
-  account.results.reserve(told.size());
+  account.results.reserve(outputs.size());
   const auto add = [&](const Output& output, const Results& before) {
     Output::Values values({});
     if (needed(output)) {
@@ -134,14 +134,14 @@ void fill_results(const std::vector<Output>& told, const std::vector<Output>& re
                                std::move(missing),
                                !facts.detail});
   };
-  const auto ratios = std::find_if(told.begin(), told.end(), &reads_results);
-  const Results none_yet(told, account.results);
-  std::for_each(told.begin(), ratios, [&](const Output& output) { add(output, none_yet); });
+  const auto ratios = std::find_if(outputs.begin(), outputs.end(), &reads_results);
+  const Results none_yet(outputs, account.results);
+  std::for_each(outputs.begin(), ratios, [&](const Output& output) { add(output, none_yet); });
   const ResultRounding rounding(solved.given, magnitudes);
   for (std::size_t n = 0; n < account.results.size(); ++n)
-    rounding.clear(account.results[n].value, told[n].what.facts.kind == Kind::direction);
-  const Results before(told, account.results);  // ratios are of what is there now
-  std::for_each(ratios, told.end(), [&](const Output& output) { add(output, before); });
+    rounding.clear(account.results[n].value, outputs[n].what.facts.kind == Kind::direction);
+  const Results before(outputs, account.results);  // ratios are of what is there now
+  std::for_each(ratios, outputs.end(), [&](const Output& output) { add(output, before); });
 }
 
 }  // namespace loadpath::planar

@@ -15,10 +15,10 @@ namespace loadpath::planar {
 /// Whether the series of a path is wanted.
 using Wants = std::function<bool(const std::string& path)>;
 
-/// The results of an account, in the order of `told`, cleared of rounding errors; series that are not wanted have no
+/// The results of an account, in the order of `outputs`, cleared of rounding errors; series that are not wanted have no
 /// values. `read`: outputs of the solved mechanism, which is smaller than the given one if joints were
 /// overconstrained.
-void fill_results(const std::vector<Output>& told, const std::vector<Output>& read, const Solved& solved,
+void fill_results(const std::vector<Output>& outputs, const std::vector<Output>& read, const Solved& solved,
                   const Magnitudes& magnitudes, const Wants& wants, account::Account& account);
 
 }  // namespace loadpath::planar

@@ -101,7 +101,7 @@ M_4 = "10 N*m"
     Moment M_1 = unset<Moment>, M_1max = unset<Moment>;
   };
   static constexpr Fields results{
-      Choice{&Result::type, "type", "type of linkage by the links that revolve"},
+      Choice{&Result::type, "type", "type of linkage, by the links that make full revolutions"},
       Field{
           &Result::T_min, "T_min", deg,
           "distance from the change point: least difference of arcs with which the linkage folds into one great circle"}
@@ -133,7 +133,7 @@ M_4 = "10 N*m"
       Field{&Result::phi_1f, "phi_1f", deg, "input angle of the folded position: input and coupler overlap"},
       Field{&Result::phi_4f, "phi_4f", deg, "output angle of the folded position"},
       Field{&Result::mu_min, "mu_min", deg, "minimum transmission angle over the input range, acute"},
-      Field{&Result::phi_mu, "phi_mu", deg, "input angle at that minimum"},
+      Field{&Result::phi_mu, "phi_mu", deg, "input angle at the minimum transmission angle"},
       Field{&Result::u_c, "u_c", ratio, "closure: maximum of |cos(mu)| over the input range / 1"}.check(),
       Field{&Result::u_mu, "u_mu", ratio, "transmission angle: maximum deviation from 90 deg / 90 deg - mu_req"}.check(
           "mu_req"),

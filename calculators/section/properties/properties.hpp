@@ -85,7 +85,7 @@ constexpr auto property_fields() {
       field(&P::W_z_left, "W_z_left", mm3, "elastic section modulus I_z over the distance of the leftmost fibre"),
       field(&P::W_z_right, "W_z_right", mm3, "elastic section modulus I_z over the distance of the rightmost fibre"),
       field(&P::alpha, "alpha", deg, "angle from y to the principal axis of the maximum second moment"),
-      field(&P::I_max, "I_max", mm4, "maximum second moment of area: about that principal axis"),
+      field(&P::I_max, "I_max", mm4, "maximum second moment of area, about a principal axis"),
       field(&P::I_min, "I_min", mm4, "minimum second moment of area: about the other principal axis"),
       field(&P::i_min, "i_min", mm, "minimum radius of gyration"),
       field(&P::W_max, "W_max", mm3,

@@ -16,14 +16,14 @@ Length distance(const ThinWalledTypes::Corner& a, const ThinWalledTypes::Corner&
 /// Adds a wall to the equations of the cells on both of its sides.
 void add(Matrix& a, const ThinWalledTypes::Input& in, const ThinWalledTypes::Wall& wall) {
   const std::size_t outside = in.cells.size();
-  const std::size_t cell = cell_of(in, wall.cell), beside = cell_of(in, wall.beside);
+  const std::size_t cell = cell_of(in, wall.cell), other = cell_of(in, wall.beside);
   const double delta = length_of(wall) / wall.t / modulus_ratio(in, wall);
   if (cell == outside) return;
   a[cell][cell] += delta;
-  if (beside == outside) return;
-  a[beside][beside] += delta;
-  a[cell][beside] -= delta;
-  a[beside][cell] -= delta;
+  if (other == outside) return;
+  a[other][other] += delta;
+  a[cell][other] -= delta;
+  a[other][cell] -= delta;
 }
 
 /// By elimination; the matrix is diagonally dominant, so the order of the cells will do.

@@ -43,7 +43,7 @@ std::size_t elements_per_side(std::size_t sides) {
   return std::clamp<std::size_t>(numerics::most_elements / sides / 2, 2, enough);
 }
 
-struct Nets {
+struct Meshes {
   numerics::TorsionFunction coarse, fine;
 };
 
@@ -56,18 +56,18 @@ bool are_same(const Contours& one, const Contours& other) {
 }
 
 /// Of the section of the last call, too: a load that varies leaves it as it is.
-Nets nets_of(const Input& in) {
+Meshes meshes_of(const Input& in) {
   thread_local Contours last;
-  thread_local Nets nets;
+  thread_local Meshes meshes;
   Contours contours;
   add(contours, in.points);
   for (const Polygon::Hole& hole : in.holes) add(contours, hole.points);
-  if (are_same(contours, last)) return nets;
+  if (are_same(contours, last)) return meshes;
   const std::size_t per_side = elements_per_side(contours.points.size());
-  nets = {numerics::torsion_function({contours.loops.data(), contours.loops.size()}, per_side),
+  meshes = {numerics::torsion_function({contours.loops.data(), contours.loops.size()}, per_side),
           numerics::torsion_function({contours.loops.data(), contours.loops.size()}, 2 * per_side)};
   last = contours;  // of the loops only the sizes are compared
-  return nets;
+  return meshes;
 }
 
 /// Direction of the contour at b: 1 to the left, -1 to the right, 0 where it goes straight on.
@@ -87,15 +87,16 @@ Length size_of(const Input& in) {
 }
 
 template <class Tracer>
-void strength(const Input& in, const Nets& nets, Result& r, Tracer& trace) {
+void strength(const Input& in, const Meshes& meshes, Result& r, Tracer& trace) {
   r.tau_all = allowable_shear(in, unset<Stress>, trace);
   if (SolidTorsion::has_inner_corner(in)) return;
-  const Length e_1 = trace.value("e_1", from_si<Length>(nets.coarse.stress), "maximum stress over G theta, coarse net");
-  const Length e_2 = trace.value("e_2", from_si<Length>(nets.fine.stress), "the same, elements of half the size");
+  const Length e_1 =
+      trace.value("e_1", from_si<Length>(meshes.coarse.stress), "maximum stress over G theta, coarse net");
+  const Length e_2 = trace.value("e_2", from_si<Length>(meshes.fine.stress), "the same, elements of half the size");
   STEP(e, e_2 + (e_2 - e_1) / 3.0, "extrapolated: the error falls with the square of the size");
   STEP_TO(r, e_W, abs(e - e_2) / e, "the fine net against it");
   STEP_TO(r, W_t, r.I_t / e, "torque over the maximum stress");
-  r.y_t = from_si<Length>(nets.fine.at.x), r.z_t = from_si<Length>(nets.fine.at.y);
+  r.y_t = from_si<Length>(meshes.fine.at.x), r.z_t = from_si<Length>(meshes.fine.at.y);
   STEP_TO(r, tau_max, in.K_A * abs(in.T) / W_t, "on the contour, [B19] (2)");
   const Stress tau_all = r.tau_all;
   STEP_TO(r, u_tau, tau_max / tau_all, "strength condition, [B19] (3)");
@@ -126,13 +127,13 @@ template <class Tracer>
 SolidTorsion::Result SolidTorsion::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.d_s = size_of(in);
-  const Nets nets = nets_of(in);
-  const SecondMoment I_1 = trace.value("I_1", from_si<SecondMoment>(nets.coarse.I_t), "coarse net, [Prandtl]");
+  const Meshes meshes = meshes_of(in);
+  const SecondMoment I_1 = trace.value("I_1", from_si<SecondMoment>(meshes.coarse.I_t), "coarse net, [Prandtl]");
   const SecondMoment I_2 =
-      trace.value("I_2", from_si<SecondMoment>(nets.fine.I_t), "elements of half the size, [Prandtl]");
+      trace.value("I_2", from_si<SecondMoment>(meshes.fine.I_t), "elements of half the size, [Prandtl]");
   STEP_TO(r, I_t, I_2 + (I_2 - I_1) / 7.0, "extrapolated: the error falls with the third power of the size");
   STEP_TO(r, e_I, abs(I_t - I_2) / I_t, "the fine net against it");
-  strength(in, nets, r, trace);
+  strength(in, meshes, r, trace);
   if (is_set(in.G)) {
     STEP_TO(r, theta, in.K_A * in.T / (in.G * I_t), "angle of twist per unit length");
     if (is_set(in.theta_adm)) {

@@ -26,7 +26,7 @@ template <class Input>
 constexpr auto contour_inputs() {
   List<Polygon::Corner, 64> Input::*const points = &Polygon::Input::points;
   List<Polygon::Hole, 8> Input::*const holes = &Polygon::Input::holes;
-  return Fields{ListField{points, "points", "corners of the contour, in order around it"}.as_arrays(),
+  return Fields{ListField{points, "points", "corners of the contour, in order around the edge"}.as_arrays(),
                 ListField{holes, "holes", "holes"}.may_be_missing()};
 }
 

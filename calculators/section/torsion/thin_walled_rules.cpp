@@ -27,9 +27,9 @@ bool has_size(const Cell& c) {
 
 bool is_known(const Input& in, const Wall& w) {
   const std::size_t outside = in.cells.size();
-  const std::size_t cell = cell_of(in, w.cell), beside = cell_of(in, w.beside);
+  const std::size_t cell = cell_of(in, w.cell), other = cell_of(in, w.beside);
   if (is_free(w)) return w.beside.empty();
-  return cell != outside && (w.beside.empty() || (beside != outside && beside != cell));
+  return cell != outside && (w.beside.empty() || (other != outside && other != cell));
 }
 
 /// Cells connected to the outside through walls; nothing else fixes their flow.
@@ -192,7 +192,7 @@ bool ThinWalled::areas_fit(const Input& in) {
 FieldFault ThinWalled::too_much_area(const Input& in) {
   const std::size_t i = first_without(in, [&](std::size_t k) { return area_fits(in, k); });
   return {"cells[" + std::to_string(i + 1) + "]",
-          say("the walls of cell '{1}' go around {2} at most, and it has {3}", std::string(in.cells[i].name.view()),
+          say("the walls of cell '{1}' enclose at most {2}, and A is {3}", std::string(in.cells[i].name.view()),
               format_quantity(in_si(largest_area(in, i)), mm2.symbol),
               format_quantity(in_si(area_of(in.cells[i])), mm2.symbol)),
           say("give all of its walls, with 'beside' for those that another cell has named")};

@@ -24,7 +24,7 @@ struct ThinWalledTypes {
     Area A = unset<Area>;
     Corners points;
     static constexpr Fields fields{
-        NameField{&Cell::name, "name", "name, by which walls refer to it"},
+        NameField{&Cell::name, "name", "name of the cell, used by its walls"},
         Field{&Cell::A, "A", mm2, "area inside of the middle lines of its walls"}.positive().may_be_missing(),
         ListField{&Cell::points, "points", "corners of these middle lines, in place of A"}
             .as_arrays()
@@ -39,8 +39,8 @@ struct ThinWalledTypes {
     Stress G = unset<Stress>, tau_adm = unset<Stress>;
     static constexpr Fields fields{
         NameField{&Wall::name, "name", "name of the wall"}.may_be_missing(),
-        NameField{&Wall::cell, "cell", "cell that it bounds; none: open branch"}.may_be_missing(),
-        NameField{&Wall::beside, "beside", "cell on its other side; none: the outside"}.may_be_missing(),
+        NameField{&Wall::cell, "cell", "cell bounded by the wall; none: open branch"}.may_be_missing(),
+        NameField{&Wall::beside, "beside", "cell on the other side of the wall; none: the outside"}.may_be_missing(),
         Field{&Wall::l, "l", mm, "length of its middle line"}.positive().may_be_missing(),
         ListField{&Wall::points, "points", "corners of its middle line, in place of l"}.as_arrays().may_be_missing(),
         Field{&Wall::t, "t", mm, "thickness"}.positive().usually(0.1, 200),
@@ -67,7 +67,7 @@ struct ThinWalledTypes {
     Stiffness q = unset<Stiffness>;
     static constexpr Fields fields{NameField{&Flow::name, "name", "cell"},
                                    Field{&Flow::A, "A", mm2, "area inside of the middle lines"},
-                                   Field{&Flow::q, "q", N_per_mm, "shear flow around it, positive like T"}};
+                                   Field{&Flow::q, "q", N_per_mm, "shear flow around the cell, positive like T"}};
   };
   struct Loaded {
     Name name;
@@ -78,7 +78,7 @@ struct ThinWalledTypes {
     static constexpr Fields fields{
         NameField{&Loaded::name, "name", "wall"},
         Field{&Loaded::l, "l", mm, "length of its middle line"},
-        Field{&Loaded::q, "q", N_per_mm, "shear flow of its cell less that of the adjacent cell"},
+        Field{&Loaded::q, "q", N_per_mm, "shear flow of the wall: own cell less adjacent cell"},
         Field{&Loaded::tau_m, "tau_m", MPa, "mean shear stress, the flow over the thickness"},
         Field{&Loaded::tau, "tau", MPa, "shear stress at its surface"},
         Field{&Loaded::tau_all, "tau_all", MPa, "allowable shear stress"},

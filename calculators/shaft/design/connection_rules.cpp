@@ -30,12 +30,12 @@ bool fits(const Input& in, const Seat& seat) {
 }
 
 /// Contradiction of a connection at its mounted component: its key and reason; empty if none.
-struct Misfit {
+struct Contradiction {
   const char* key = "";
   Message message = {};
 };
 
-Misfit other_bore(const Input& in, const Seat& seat) {
+Contradiction other_bore(const Input& in, const Seat& seat) {
   if (!is_set(seat.b_c)) return {};
   const Length own = around(in, seat.x).sides.thinner().d_bore;
   if (abs(seat.b_c - own) <= one_place * diameter_under(in, seat)) return {};
@@ -44,12 +44,12 @@ Misfit other_bore(const Input& in, const Seat& seat) {
 }
 
 /// A key, a spline, an interference fit lies on one diameter of the shaft, and outside its bearings.
-Misfit no_room(const Input& in, const Seat& seat) {
+Contradiction no_room(const Input& in, const Seat& seat) {
   if (!is_set(seat.l_c) || is_taper(piece_at(in, seat.x))) return {};
   const Length slack = one_place * length_of(in), left = seat.x - seat.l_c / 2.0, right = seat.x + seat.l_c / 2.0;
-  const auto told = [](Length x) { return format_quantity(in_si(x), mm.symbol, 5); };
+  const auto text_of = [](Length x) { return format_quantity(in_si(x), mm.symbol, 5); };
   const std::string name = seat.name.empty() ? "a component" : "'" + std::string(seat.name.view()) + "'";
-  const std::string range = told(left) + " to " + told(right);
+  const std::string range = text_of(left) + " to " + text_of(right);
   if (left < -slack || right > length_of(in) + slack)
     return {"l_c", say("the connection of {1}, {2}, reaches beyond the end of the shaft", name, range)};
   const Length own = diameter_under(in, seat);
@@ -60,11 +60,11 @@ Misfit no_room(const Input& in, const Seat& seat) {
   const auto covers = [&](const Support& support) { return support.x > left + slack && support.x < right - slack; };
   const auto covered = std::find_if(in.supports.begin(), in.supports.end(), covers);
   if (covered != in.supports.end())
-    return {"l_c", say("the connection of {1}, {2}, overlaps the bearing at {3}", name, range, told(covered->x))};
+    return {"l_c", say("the connection of {1}, {2}, overlaps the bearing at {3}", name, range, text_of(covered->x))};
   return {};
 }
 
-Misfit other_sense(const Input& in, const Seat& seat) {
+Contradiction other_sense(const Input& in, const Seat& seat) {
   constexpr double ripple = 0.05;
   if (!is_set(seat.r_c) || !is_set(in.r_T) || in.r_T >= seat.r_c - ripple) return {};
   return {"r_c", say("its connection is assessed for a torque of r = {1} at least, and the shaft has r_T = {2}",
@@ -72,15 +72,15 @@ Misfit other_sense(const Input& in, const Seat& seat) {
 }
 
 /// Steels yield below their tensile strength; that of the shaft depends on the diameter of each segment.
-Misfit other_strength(const Input& in, const Seat& seat) {
+Contradiction other_strength(const Input& in, const Seat& seat) {
   if (!is_set(seat.R_c) || !is_set(in.R_m) || seat.R_c <= in.R_m) return {};
-  const auto told = [](Stress R) { return format_quantity(in_si(R), MPa.symbol); };
+  const auto text_of = [](Stress R) { return format_quantity(in_si(R), MPa.symbol); };
   return {"R_c", say("its connection is calculated with a shaft of R_e = {1}, and the shaft has R_m = {2}",
-                     told(seat.R_c), told(in.R_m))};
+                     text_of(seat.R_c), text_of(in.R_m))};
 }
 
 /// A component that is one piece with the shaft has no bore and no connection, and its teeth lie outside the shaft.
-Misfit two_pieces(const Input& in, const Seat& seat) {
+Contradiction two_pieces(const Input& in, const Seat& seat) {
   if (seat.integral == Integral::no) return {};
   const Length d = diameter_under(in, seat);
   if (is_set(seat.d_f) && d > seat.d_f * (1.0 + 1e-6))
@@ -97,29 +97,29 @@ Misfit two_pieces(const Input& in, const Seat& seat) {
 }
 
 /// The bore matches the shaft, and hub and keyway lie within the root circle.
-Misfit other_hub(const Input& in, const Seat& seat) {
-  const auto told = [](Length d) { return format_quantity(in_si(d), mm.symbol); };
+Contradiction other_hub(const Input& in, const Seat& seat) {
+  const auto text_of = [](Length d) { return format_quantity(in_si(d), mm.symbol); };
   const Length d = diameter_under(in, seat), cut = is_set(seat.t_c) ? seat.t_c : 0.0 * mm;
   const bool is_splined = seat.fastening == Fastening::spline;
   if (!is_splined && !is_taper(piece_at(in, seat.x)) && !bore_fits(seat.bore, d))
-    return {"bore", say("its bore is {1}, but the shaft diameter there is {2}", told(seat.bore), told(d))};
+    return {"bore", say("its bore is {1}, but the shaft diameter there is {2}", text_of(seat.bore), text_of(d))};
   if (is_set(seat.d_f) && seat.d_f <= d + 2.0 * cut)
     return {"d_f",
-            say("shaft diameter {1} and keyway of the hub reach the root diameter {2}", told(d), told(seat.d_f))};
+            say("shaft diameter {1} and keyway of the hub reach the root diameter {2}", text_of(d), text_of(seat.d_f))};
   if (seat.D_c > 1.000001 * seat.d_f)
     return {"D_c", say("its connection is calculated with a hub diameter of {1}, but the root diameter is {2}",
-                       told(seat.D_c), told(seat.d_f))};
+                       text_of(seat.D_c), text_of(seat.d_f))};
   return {};
 }
 
-Misfit misfit_of(const Input& in, std::size_t i) {
+Contradiction misfit_of(const Input& in, std::size_t i) {
   const Seat& seat = in.seats[i];
-  if (const Misfit misfit = two_pieces(in, seat); *misfit.key != '\0') return misfit;
+  if (const Contradiction misfit = two_pieces(in, seat); *misfit.key != '\0') return misfit;
   if (seat.integral == Integral::no) {
-    if (const Misfit misfit = other_hub(in, seat); *misfit.key != '\0') return misfit;
+    if (const Contradiction misfit = other_hub(in, seat); *misfit.key != '\0') return misfit;
   }
   if (!needs_connection(in, i)) return {};
-  for (const Misfit& misfit :
+  for (const Contradiction& misfit :
        {other_bore(in, seat), no_room(in, seat), other_sense(in, seat), other_strength(in, seat)}) {
     if (*misfit.key != '\0') return misfit;
   }
@@ -217,19 +217,19 @@ bool Design::connections_match(const Input& in) {
 FieldFault Design::other_diameter(const Input& in) {
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
     const Seat& seat = in.seats[i];
-    const auto told = [](Length d) { return format_quantity(in_si(d), mm.symbol); };
+    const auto text_of = [](Length d) { return format_quantity(in_si(d), mm.symbol); };
     if (!is_around(in, seat)) {
       return {place_of("seats", in.seats, i, "d_w"),
-              say("its forces act at a diameter of {1}, and the shaft has {2} there", told(seat.d_w),
-                  told(diameter_under(in, seat))),
+              say("its forces act at a diameter of {1}, and the shaft has {2} there", text_of(seat.d_w),
+                  text_of(diameter_under(in, seat))),
               say("a component integral with the shaft needs integral = true")};
     }
-    if (const Misfit misfit = misfit_of(in, i); fits(in, seat) && *misfit.key != '\0')
+    if (const Contradiction misfit = misfit_of(in, i); fits(in, seat) && *misfit.key != '\0')
       return {place_of("seats", in.seats, i, misfit.key), misfit.message, {}};
     if (fits(in, seat)) continue;
     return {place_of("seats", in.seats, i, "d_c"),
-            say("its connection is made for a shaft of {1}, and the shaft has {2} there", told(seat.d_c),
-                told(diameter_under(in, seat))),
+            say("its connection is made for a shaft of {1}, and the shaft has {2} there", text_of(seat.d_c),
+                text_of(diameter_under(in, seat))),
             say("give both the same diameter")};
   }
   return {};

@@ -40,7 +40,7 @@ void judge_connections(const Input& in, DesignResult& r, Tracer& trace) {
     Seated& s = r.seats[i];
     [[maybe_unused]] const auto here = trace.scope("seats", i);
     if (is_set(seat.T_c) && needs_connection(in, i)) {
-      const Moment T = s.T, T_c = trace.value("T_c", seat.T_c, "torque that the connection is assessed for");
+      const Moment T = s.T, T_c = trace.value("T_c", seat.T_c, "torque for which the connection is assessed");
       STEP_TO(s, x_c, abs(T) / T_c, "the connection is assessed for no less");
     }
     if (is_set(seat.T_peak) && needs_connection(in, i)) {

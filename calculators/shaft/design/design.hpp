@@ -122,7 +122,7 @@ r_T = 0
             "addition to torques over a revolution"}
           .within(-1, 1)
           .may_be_missing(),
-      Choice{&Input::method, "method", "fatigue method that governs"}.may_be_missing(),
+      Choice{&Input::method, "method", "governing fatigue method"}.may_be_missing(),
       Choice{&Input::group, "group", "group of materials, for the fatigue limit"},
       Choice{&Input::finish, "finish", "surface finish"}.may_be_missing(),
       Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens in bending, r = -1"}
@@ -299,8 +299,8 @@ r_T = 0
   static Applies cannot_be_assembled(const Input& in);
   static Applies tired(const Input& in);
   static Applies endless(const Input& in) {
-    const bool lacks = in.group >= fatigue::Endurance::Group::wrought_aluminium || lacks_fatigue_limit(in);
-    return lacks ? tired(in) : Applies::no;
+    const bool has_no_limit = in.group >= fatigue::Endurance::Group::wrought_aluminium || lacks_fatigue_limit(in);
+    return has_no_limit ? tired(in) : Applies::no;
   }
   static Applies crowds(const Input& in) { return where(asks_fatigue(in) && !notches_apart(in)); }
   static Applies brittle(const Input& in) { return shown_by(in.group == fatigue::Endurance::Group::grey_iron); }
@@ -321,8 +321,8 @@ r_T = 0
                      "safeties.x_DIN, x_E, s_max")
           .wanting("S_D, r_T")
           .in_service(),
-      Mode<Input>{"cycles", "fatigue without a fatigue limit (fatigue.life of each section)", &endless}.assessed_beside(
-          "fatigue.life"),
+      Mode<Input>{"cycles", "fatigue without a fatigue limit (fatigue.life of each section)", &endless}
+          .assessed_additionally_in("fatigue.life"),
       Mode<Input>{"neighbours", "fatigue at interacting notches", &crowds},
       Mode<Input>{"other_loads", "other load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y, s_max").of_service(),
@@ -359,7 +359,7 @@ r_T = 0
       Mode<Input>{"abutment", "shoulder (abutment) height", &abuts}.judged_by("sections.u_h").of_shape(),
       Mode<Input>{"hub", "keys, splines and press fits", &lacks_connection}
           .wanting("seats[].connection")
-          .assessed_beside("shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw, pin.cross"),
+          .assessed_additionally_in("shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw, pin.cross"),
       Mode<Input>{"connection", "torque capacity of shaft-hub connections", &has_connection}
           .judged_by("seats.x_c, seats.x_peak")
           .advising("x_peak: give T_max in the step of the key or spline; x_c: give T there"),

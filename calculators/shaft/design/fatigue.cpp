@@ -117,8 +117,8 @@ void weaken_by_factors(const Input& in, Length d, const Notched& notch, const fa
 }
 
 /// The section as DIN 743 has it; a given notch by its shape factors without any support, on the safe side.
-fatigue::Din743Section section_of_din743(const Input& in, const There& there, const Sides& sides, const Section& p,
-                                         const Safety& s) {
+fatigue::Din743Section section_of_din743(const Input& in, const ChangePlace& there, const Sides& sides,
+                                         const Section& p, const Safety& s) {
   using Kind = fatigue::Notch;
   fatigue::Din743Section section;
   section.notch = Kind::smooth, section.R_z = in.R_z, section.d = p.d, section.d_bore = p.d_bore;
@@ -168,7 +168,7 @@ double outside_of_din743(const fatigue::Din743Safety& rated) {
 }
 
 /// By DIN 743, with the strengths as they are in this size.
-fatigue::Din743Safety rated_by_din743(const Input& in, const There& there, const Sides& sides, const Section& p,
+fatigue::Din743Safety rated_by_din743(const Input& in, const ChangePlace& there, const Sides& sides, const Section& p,
                                       const Swings& swings, const Safety& s) {
   fatigue::Din743Steel steel;
   steel.R_m = in.R_m, steel.R_e = in.R_e;
@@ -203,7 +203,7 @@ Stresses stresses_of(const Input& in, const Section& p, Tracer& trace) {
   return {{sigma_na, sigma_nm}, {tau_a, tau_m}};
 }
 template <class Tracer>
-Stresses stresses_of(const Section& p, const There& there, const Swings& swings, Tracer& trace) {
+Stresses stresses_of(const Section& p, const ChangePlace& there, const Swings& swings, Tracer& trace) {
   trace.angle("theta", swings.theta, "of the point on its circumference that decides, from X where psi is 0");
   const Moment M_a = trace.value("M_a", swings.M.a, "amplitude of bending at that point over a turn");
   const Moment M_m = trace.value("M_m", swings.M.m, "mean");
@@ -257,7 +257,7 @@ Stressed stressed_by(const Swings& swings, const Moduli& of) {
 /// One section by the schools that are not of [Shigley7].
 class Rating {
  public:
-  Rating(const Input& in, const There& there, const Sides& sides, const Section& p)
+  Rating(const Input& in, const ChangePlace& there, const Sides& sides, const Section& p)
       : in_(in), there_(there), sides_(sides), p_(p) {}
 
   /// Whether its factor is that of tests, or is computed as DIN 743 has it: for all schools alike.
@@ -301,14 +301,14 @@ class Rating {
   [[nodiscard]] bool steel() const { return in_.group <= Endurance::Group::cast_steel; }
 
   const Input& in_;
-  const There& there_;
+  const ChangePlace& there_;
   const Sides& sides_;
   const Section& p_;
 };
 
 /// Context of the section, reported before its notch.
 template <class Tracer>
-void tell(const Section& p, Length r_n, bool own, bool turns, Tracer& trace) {
+void trace_section(const Section& p, Length r_n, bool own, bool turns, Tracer& trace) {
   trace.value("d", p.d, "of the section");
   trace.value("r_n", r_n, own ? "of the notch" : "0.02 d, as of a keyway; no effect without a notch");
   if (!turns) return;
@@ -320,30 +320,32 @@ void tell(const Section& p, Length r_n, bool own, bool turns, Tracer& trace) {
 }  // namespace
 
 template <class Tracer>
-Safety safety_of(const Input& in, const There& there, const Sides& sides, const Section& p,
+Safety safety_of(const Input& in, const ChangePlace& there, const Sides& sides, const Section& p,
                  std::span<const Swings> swings, Tracer& trace) {
   const Rating rating(in, there, sides, p);
   Safety s;
   s.name = p.name, s.x = p.x;
-  const bool own = there.notch != nullptr && is_set(there.notch->r), stands = swings.empty();
+  const bool own = there.notch != nullptr && is_set(there.notch->r), is_steady = swings.empty();
   const Length r_n = own ? there.notch->r : 0.02 * p.d;
-  const Swings some = stands ? standing(in, p) : swings.front();
+  const Swings some = is_steady ? standing(in, p) : swings.front();
   const bool twisted = some.T.a + abs(some.T.m) > 0.0 * N_m.one;
-  tell(p, r_n, own, stands, trace);
+  trace_section(p, r_n, own, is_steady, trace);
   if (there.notch == nullptr) trace.value("K_t", s.K_t, "no notch");
   if (there.notch != nullptr && !rating.by_factors()) concentrate(*there.notch, sides, r_n, p, twisted, s, trace);
   if (rating.by_factors())
     weaken_by_factors(in, p.d, *there.notch, rating.din743(some, s), s, trace);
   else
     weaken(in, p.d, r_n, s, trace);
-  const Swings decides = stands ? some : rating.weakest(swings, s);
+  const Swings decides = is_steady ? some : rating.weakest(swings, s);
   s.theta = decides.theta;
   rating.rate(decides, s, trace);
-  tire(in, stands ? stresses_of(in, p, trace) : stresses_of(p, there, decides, trace), s, trace);
+  tire(in, is_steady ? stresses_of(in, p, trace) : stresses_of(p, there, decides, trace), s, trace);
   return s;
 }
 
-template Safety safety_of(const Input&, const There&, const Sides&, const Section&, std::span<const Swings>, NoTrace&);
-template Safety safety_of(const Input&, const There&, const Sides&, const Section&, std::span<const Swings>, Trace&);
+template Safety safety_of(const Input&, const ChangePlace&, const Sides&, const Section&, std::span<const Swings>,
+                          NoTrace&);
+template Safety safety_of(const Input&, const ChangePlace&, const Sides&, const Section&, std::span<const Swings>,
+                          Trace&);
 
 }  // namespace loadpath::shaft

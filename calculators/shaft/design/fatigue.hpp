@@ -11,7 +11,7 @@
 namespace loadpath::shaft {
 
 /// Node and notch at a place of change; no notch: null.
-struct There {
+struct ChangePlace {
   std::size_t node = 0;
   const Notched* notch = nullptr;
   Name name;
@@ -26,8 +26,8 @@ template <class Tracer>
 Moduli moduli_of(const Section& p, const Notched* notch, Tracer& trace) {
   if (notch != nullptr && notch->kind == Notch::cross_hole) {
     const Length r = trace.value("r", notch->r, "of the hole");
-    return {fatigue::area_beside_hole("A", p.d, r, trace), fatigue::modulus_beside_hole("W", 32.0, p.d, r, trace),
-            fatigue::modulus_beside_hole("W_t", 16.0, p.d, r, trace)};
+    return {fatigue::net_area_at_hole("A", p.d, r, trace), fatigue::net_modulus_at_hole("W", 32.0, p.d, r, trace),
+            fatigue::net_modulus_at_hole("W_t", 16.0, p.d, r, trace)};
   }
   STEP(A, pi / 4.0 * (p.d * p.d - p.d_bore * p.d_bore), "area");
   STEP(W, pi / 32.0 * (pow<4>(p.d) - pow<4>(p.d_bore)) / p.d, "section modulus in bending");
@@ -38,7 +38,7 @@ Moduli moduli_of(const Section& p, const Notched* notch, Tracer& trace) {
 /// `swings`: what varies over a turn at points of the circumference, of which the weakest decides; none: loads stay in
 /// space, and the shaft turns.
 template <class Tracer>
-Safety safety_of(const DesignInput& in, const There& there, const Sides& sides, const Section& p,
+Safety safety_of(const DesignInput& in, const ChangePlace& there, const Sides& sides, const Section& p,
                  std::span<const Swings> swings, Tracer& trace);
 
 }  // namespace loadpath::shaft

@@ -157,7 +157,7 @@ figure::Figure over_turn(const Design::Input& in, const Elastic& elastic, const 
   figure::Curve sigma{"sigma", series.signature.axis->at, {}}, tau{"tau", series.signature.axis->at, {}};
   for (std::size_t i = 0; i < turn.positions(); ++i) {
     sigma.y.push_back(turn.moment(node, i, theta) * in_si(p.sigma_b / p.M));
-    if (in_si(p.T) != 0.0) tau.y.push_back(turn.felt(node, i).T * in_si(p.tau / abs(p.T)));
+    if (in_si(p.T) != 0.0) tau.y.push_back(turn.internal_forces(node, i).T * in_si(p.tau / abs(p.T)));
   }
   figure::Plot plot;
   plot.x = {"phi", series.signature.axis->quantity, series.signature.axis->unit};

@@ -27,8 +27,7 @@ Message fault_of_fields(const Notched& notch) {
   if (is_groove(kind) && !is_set(notch.t)) return say("a groove has a depth t");
   if (!cuts && is_set(notch.t)) return say("t is the depth of a groove, a keyway or splines");
   if (is_set(notch.l) && !is_keyed(kind)) return say("l is the length of a key");
-  if ((kind == Kind::rectangular_groove) != is_set(notch.w))
-    return say("a rectangular groove has a width w, and no other notch has");
+  if ((kind == Kind::rectangular_groove) != is_set(notch.w)) return say("only a rectangular groove has a width w");
   if ((kind == Kind::given) != is_set(notch.K_t) || is_set(notch.K_t) != is_set(notch.K_ts))
     return say("K_t and K_ts are given together, only with kind = \"given\"");
   if ((kind == Kind::beta) != is_set(notch.beta_b) || is_set(notch.beta_b) != is_set(notch.beta_t))
@@ -39,7 +38,7 @@ Message fault_of_fields(const Notched& notch) {
   if (const bool rootless = kind == Kind::v_groove || kind == Kind::press_fit; rootless && is_set(notch.r))
     return say("its notch factor does not depend on a radius: leave out r");
   if (kind == Kind::given && notch.K_t > 1.0 && !is_set(notch.r))
-    return say("a given notch needs the radius r of its root, for the sensitivity to it");
+    return say("a given notch needs the radius r of its root, for the notch sensitivity");
   return {};
 }
 
@@ -54,7 +53,7 @@ Message fault_of_width(const Input& in, const Notched& notch) {
   const auto inside = [&](const auto& element) { return element.x > from && element.x < to; };
   if (std::any_of(in.seats.begin(), in.seats.end(), inside) ||
       std::any_of(in.supports.begin(), in.supports.end(), inside))
-    return say("something sits on the shaft within the groove of {1} at {2}", format(notch.w), format(notch.x));
+    return say("a component lies within the groove of {1} at {2}", format(notch.w), format(notch.x));
   return {};
 }
 
@@ -67,7 +66,7 @@ Message fault_of_fillet(const Notched& notch, const Around& there) {
                format(high));
   const Length run = r > high ? sqrt(high * (2.0 * r - high)) : r;
   const Length room = there.sides.left.d < there.sides.right.d ? there.before.l : there.after.l;
-  if (run > room) return say("its fillet runs {1} along a piece of {2}", format(run), format(room));
+  if (run > room) return say("its fillet extends {1} along a segment of {2}", format(run), format(room));
   return {};
 }
 
@@ -163,7 +162,7 @@ Message fault_of_wall(const Input& in, const Notched& notch, const Around& there
 }
 
 /// Whether any torque runs through the shaft next to a place; without torque none is missed.
-bool torque_beside(const Input& in, Length x) {
+bool transmits_torque_at(const Input& in, Length x) {
   bool twisted = false;
   for (std::size_t position = 0; position < positions_of(in); ++position) {
     Moment before = 0.0 * N_m.one, behind = before, most = before;
@@ -190,14 +189,14 @@ Message fault_of_hub(const Input& in, const Notched& notch, Length d) {
   for (const Support& support : in.supports) meet(support.x, false);
   for (const Seat& seat : in.seats) meet(seat.x, is_set(seat.T) || seat.way == Way::balances);
   if (!found) return say("no mounted component and no bearing near a hub that ends at {1}", format(notch.x));
-  if (twists && !torque_beside(in, notch.x))
+  if (twists && !transmits_torque_at(in, notch.x))
     return say("the shaft carries no torque at {1}: the governing end of a hub is the one towards the torque",
                format(notch.x));
   return {};
 }
 
 /// A key on either side of its end that lies under no component.
-Message fault_of_key_beside(const Input& in, const Notched& notch) {
+Message fault_of_key_end(const Input& in, const Notched& notch) {
   const auto apart = [&](const Seat& seat) { return abs(seat.x - notch.x); };
   const auto near = std::min_element(in.seats.begin(), in.seats.end(),
                                      [&](const Seat& a, const Seat& b) { return apart(a) < apart(b); });
@@ -212,7 +211,7 @@ Message fault_of_place(const Input& in, const Notched& notch) {
   if (notch.kind == Notch::press_fit) return fault_of_hub(in, notch, around(in, notch.x).sides.thinner().d);
   if (!is_keyed(notch.kind)) return {};
   if (!is_set(notch.l)) {
-    if (torque_beside(in, notch.x)) return {};
+    if (transmits_torque_at(in, notch.x)) return {};
     return say(
         "the shaft carries no torque at {1}: the governing end of a key is the one towards the torque; give that, or "
         "the key length l",
@@ -220,7 +219,7 @@ Message fault_of_place(const Input& in, const Notched& notch) {
   }
   if (in.seats.empty()) return {};  // nothing loads it
   const Length end = other_end(in, notch);
-  if (!is_set(end)) return fault_of_key_beside(in, notch);
+  if (!is_set(end)) return fault_of_key_end(in, notch);
   const Length aside = 10.0 * one_place * length_of(in), low = min(notch.x, end) + aside,
                high = max(notch.x, end) - aside;
   if (low - aside < -one_place * length_of(in) || high + aside > (1.0 + one_place) * length_of(in))

@@ -145,8 +145,8 @@ bool Design::held(const Input& in) {
 }
 
 bool Design::stiff_enough(const Input& in) {
-  const bool told = !held(in) || !on_shaft(in) || !bores_fit(in) || !(is_set(in.E) && is_set(in.G));
-  return told || bears(in);  // by another rule
+  const bool violates_others = !held(in) || !on_shaft(in) || !bores_fit(in) || !(is_set(in.E) && is_set(in.G));
+  return violates_others || bears(in);  // by another rule
 }
 
 /// A rule without `pieces` among its fields, so that it is checked before diameters are searched for; where lengths

@@ -24,15 +24,15 @@ Length place_of_most(const Stations& stations, const Turn& turn, std::size_t pie
   for (std::size_t s = 0; s < stations.piece.size(); ++s) {
     if (stations.piece[s] != piece) continue;
     for (const std::size_t node : {s, s + 1}) {
-      const Felt& felt = turn.felt(node, turn.most_bent());
-      const double M = std::hypot(felt.M_x, felt.M_y);
+      const InternalForces& forces = turn.internal_forces(node, turn.most_bent());
+      const double M = std::hypot(forces.M_x, forces.M_y);
       if (numerics::exceeds(M, largest)) largest = M, most = node;
     }
   }
   return from_si<Length>(stations.x[most]);
 }
 
-using Changes = List<There, most_places>;
+using Changes = List<ChangePlace, most_places>;
 
 /// "key_end_far": a name with more behind it, where there is one.
 template <std::size_t more>
@@ -44,7 +44,7 @@ Name told_apart(const Name& name, std::string_view apart) {
 }
 
 /// Name of the taper; the place of lowest fatigue strength is distinguished from the most stressed.
-Name name_of(const Input& in, const Weak& weak) {
+Name name_of(const Input& in, const CriticalPlace& weak) {
   const Name& piece = in.pieces[weak.piece].name;
   return weak.tires ? told_apart<6>(piece, "_tires") : piece;
 }
@@ -55,7 +55,7 @@ class Gathering {
   explicit Gathering(const Stations& stations) : stations_(stations) {}
   void add(Length x, const Name& name, const Notched* notch = nullptr) {
     const std::size_t node = stations_.at(x);
-    const auto same = std::find_if(all_.begin(), all_.end(), [&](const There& t) { return t.node == node; });
+    const auto same = std::find_if(all_.begin(), all_.end(), [&](const ChangePlace& t) { return t.node == node; });
     if (same == all_.end()) {
       all_.push_back({node, notch, name});
     } else if (same->name.empty()) {
@@ -63,7 +63,7 @@ class Gathering {
     }
   }
   [[nodiscard]] Changes sorted() {
-    std::sort(all_.begin(), all_.end(), [](const There& a, const There& b) { return a.node < b.node; });
+    std::sort(all_.begin(), all_.end(), [](const ChangePlace& a, const ChangePlace& b) { return a.node < b.node; });
     return all_;
   }
 
@@ -89,7 +89,7 @@ Changes changes_of(const Input& in, const Stations& stations, const Turn& turn) 
   for (std::size_t piece = 0; is_set(in.g_angle) && piece < in.pieces.size(); ++piece) {  // it bends most between them
     if (!is_taper(in.pieces[piece])) gathering.add(place_of_most(stations, turn, piece), {});
   }
-  for (const Weak& weak : stations.weakest) gathering.add(from_si<Length>(weak.x), name_of(in, weak));
+  for (const CriticalPlace& weak : stations.weakest) gathering.add(from_si<Length>(weak.x), name_of(in, weak));
   return gathering.sorted();
 }
 
@@ -103,12 +103,12 @@ Sides sides_of(const Input& in, const Stations& stations, std::size_t node) {
 }
 
 template <class Tracer>
-void stress(const Input& in, const Felt& felt, const Notched* notch, Section& p, Tracer& trace) {
-  p.M_x = trace.value("M_x", from_si<Moment>(felt.M_x), "from the beam model");
-  p.M_y = trace.value("M_y", from_si<Moment>(felt.M_y), "same, other plane");
-  const Force V = trace.value("V", from_si<Force>(felt.V), "across the shaft, both planes together");
-  p.N = trace.value("N", from_si<Force>(felt.N), "axial: resultant of the forces on the left");
-  p.T = trace.value("T", from_si<Moment>(felt.T), "torsional: resultant of the torques on the left");
+void stress(const Input& in, const InternalForces& forces, const Notched* notch, Section& p, Tracer& trace) {
+  p.M_x = trace.value("M_x", from_si<Moment>(forces.M_x), "from the beam model");
+  p.M_y = trace.value("M_y", from_si<Moment>(forces.M_y), "same, other plane");
+  const Force V = trace.value("V", from_si<Force>(forces.V), "across the shaft, both planes together");
+  p.N = trace.value("N", from_si<Force>(forces.N), "axial: resultant of the forces on the left");
+  p.T = trace.value("T", from_si<Moment>(forces.T), "torsional: resultant of the torques on the left");
   STEP_TO(p, M, sqrt(p.M_x * p.M_x + p.M_y * p.M_y), "both planes together");
   const auto [A, W, W_t] = moduli_of(p, notch, trace);
   STEP_TO(p, sigma_b, M / W, "extreme fibre");
@@ -125,13 +125,13 @@ void stress(const Input& in, const Felt& felt, const Notched* notch, Section& p,
 
 /// A section and the position of the revolution at which its load is highest.
 struct Place {
-  const There& there;
+  const ChangePlace& there;
   Sides sides;
   Length x;
 };
 
 template <class Tracer>
-Section section_at(const Input& in, const Place& place, const Felt& felt, double psi, Tracer& trace) {
+Section section_at(const Input& in, const Place& place, const InternalForces& forces, double psi, Tracer& trace) {
   const auto& [there, sides, x] = place;
   Section p;
   p.name = there.name, p.x = x, p.psi = psi;
@@ -140,7 +140,7 @@ Section section_at(const Input& in, const Place& place, const Felt& felt, double
   trace.value("d", p.d, "smaller adjacent diameter (groove: root diameter)");
   trace.value("d_bore", p.d_bore, "bore");
   if (is_set(psi)) trace.angle("psi", psi, "angle of maximum load");
-  stress(in, felt, there.notch, p, trace);
+  stress(in, forces, there.notch, p, trace);
   if (there.notch != nullptr && is_set(there.notch->h)) {
     const Length h = trace.value("h", there.notch->h, "required by the abutting part");
     const Length high = trace.value("high", (sides.larger() - sides.thinner().d) / 2.0, "of the shoulder");
@@ -175,7 +175,7 @@ class Judging {
   template <class Tracer>
   Section section(std::size_t k, Tracer& trace) const {
     const std::size_t position = worst_position(k);
-    return section_at(in_, place(k), turn_.felt(changes_[k].node, position), turn_.psi(position), trace);
+    return section_at(in_, place(k), turn_.internal_forces(changes_[k].node, position), turn_.psi(position), trace);
   }
   template <class Tracer>
   Safety safety(std::size_t k, const Section& p, Tracer& trace) const {
@@ -194,8 +194,8 @@ class Judging {
     std::size_t worst = 0;
     Stress most = -1.0 * MPa;
     for (std::size_t i = 0; turn_.varies() && i < turn_.positions(); ++i) {
-      const Felt& felt = turn_.felt(changes_[k].node, i);
-      const Stress sigma_v = section_at(in_, place(k), felt, unset<double>, quiet).sigma_v;
+      const InternalForces& forces = turn_.internal_forces(changes_[k].node, i);
+      const Stress sigma_v = section_at(in_, place(k), forces, unset<double>, quiet).sigma_v;
       if (numerics::exceeds(in_si(sigma_v), in_si(most))) most = sigma_v, worst = i;
     }
     return worst;
@@ -209,11 +209,11 @@ class Judging {
 
 }  // namespace
 
-Section section_within(const Input& in, std::size_t piece, Length x, const Felt& felt) {
+Section section_within(const Input& in, std::size_t piece, Length x, const InternalForces& forces) {
   NoTrace quiet;
   const Ring ring = ring_at(in.pieces[piece], x - start_of(in, piece));
-  const There there;
-  return section_at(in, {there, {ring, ring}, x}, felt, unset<double>, quiet);
+  const ChangePlace there;
+  return section_at(in, {there, {ring, ring}, x}, forces, unset<double>, quiet);
 }
 
 template <class Tracer>

@@ -8,7 +8,7 @@
 namespace loadpath::shaft {
 
 /// A section within a piece, where nothing changes.
-Section section_within(const DesignInput& in, std::size_t piece, Length x, const Felt& felt);
+Section section_within(const DesignInput& in, std::size_t piece, Length x, const InternalForces& forces);
 
 /// All of them quietly, and those again with their lines that decide over yielding and over fatigue.
 template <class Tracer>

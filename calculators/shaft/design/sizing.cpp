@@ -217,7 +217,7 @@ bool Design::raise(const Input& in, std::span<Sought> sought) {
 Message Design::unsound(const Input& in, std::span<const Sought> sought, std::size_t which) {
   const Trial trial{in, sought, sought_of(in, sought)};
   const auto i = static_cast<std::size_t>(std::find(trial.of.begin(), trial.of.end(), which) - trial.of.begin());
-  const auto beside = [&](const Joint& joint, std::size_t k) -> Message {
+  const auto fault_at = [&](const Joint& joint, std::size_t k) -> Message {
     const Length own = trial.d(i), beyond = trial.end(k, i), step = abs(own - beyond);
     if (joint.tied && step > one_place * own)
       return say("nothing is cut at {1}: it is one cylinder with the {2} beyond", format(joint.x), format(beyond));
@@ -232,8 +232,8 @@ Message Design::unsound(const Input& in, std::span<const Sought> sought, std::si
   };
   if (!trial.has_thick_middle())
     return say("a bearing seat is the thickest segment: no shoulder towards the middle for its ring");
-  Message fault = i == 0 ? Message{} : beside(joint_after(in, i - 1), i - 1);
-  if (fault.empty() && i + 1 < in.pieces.size()) fault = beside(joint_after(in, i), i + 1);
+  Message fault = i == 0 ? Message{} : fault_at(joint_after(in, i - 1), i - 1);
+  if (fault.empty() && i + 1 < in.pieces.size()) fault = fault_at(joint_after(in, i), i + 1);
   return fault;
 }
 

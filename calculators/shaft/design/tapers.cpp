@@ -60,9 +60,9 @@ class Scan {
   template <class Use>
   double at(std::size_t s, double place, const Use& use) const {
     const double l = stations_.x[s + 1] - stations_.x[s], t = (place - stations_.x[s]) / l;
-    Felt felt = loaded_.side(s, t > 0.5);
-    felt.M_x = moment_at(loaded_.x.spans[s], l, t), felt.M_y = moment_at(loaded_.y.spans[s], l, t);
-    return use(section_within(in_, stations_.piece[s], from_si<Length>(place), felt));
+    InternalForces forces = loaded_.side(s, t > 0.5);
+    forces.M_x = moment_at(loaded_.x.spans[s], l, t), forces.M_y = moment_at(loaded_.y.spans[s], l, t);
+    return use(section_within(in_, stations_.piece[s], from_si<Length>(place), forces));
   }
 
   const Input& in_;
@@ -73,7 +73,7 @@ class Scan {
 double tired(const Input& in, const Section& p, std::span<const Swings> swings) {
   NoTrace quiet;
   const Ring ring{p.d, p.d_bore};
-  return safety_of(in, There{}, Sides{ring, ring}, p, swings, quiet).u_D;
+  return safety_of(in, ChangePlace{}, Sides{ring, ring}, p, swings, quiet).u_D;
 }
 
 /// Under loads over a revolution, only at the nodes: each has its own amplitudes.
@@ -81,8 +81,8 @@ void raise_over_turn(const Input& in, const Stations& stations, const Turn& turn
   for (std::size_t n = 1; n < stations.piece.size(); ++n) {
     const std::size_t piece = stations.piece[n];
     if (stations.piece[n - 1] != piece || !is_taper(in.pieces[piece])) continue;
-    const Felt& felt = turn.felt(n, turn.most_bent());
-    const Section p = section_within(in, piece, from_si<Length>(stations.x[n]), felt);
+    const InternalForces& forces = turn.internal_forces(n, turn.most_bent());
+    const Section p = section_within(in, piece, from_si<Length>(stations.x[n]), forces);
     const Peak here{stations.x[n], tired(in, p, turn.swings(n, in.r_T))};
     if (here.f > peaks[piece].f) peaks[piece] = here;
   }
@@ -90,8 +90,8 @@ void raise_over_turn(const Input& in, const Stations& stations, const Turn& turn
 
 }  // namespace
 
-Weakest weakest_of_tapers(const Input& in) {
-  Weakest all;
+CriticalPlaces weakest_of_tapers(const Input& in) {
+  CriticalPlaces all;
   if (std::none_of(in.pieces.begin(), in.pieces.end(), &is_taper)) return all;
   const auto elastic = elastic_shaft(in);
   if (!elastic) return all;

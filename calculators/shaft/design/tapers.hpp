@@ -6,6 +6,6 @@
 namespace loadpath::shaft {
 
 /// The most stressed place of each taper, and the place of lowest fatigue strength if that is elsewhere.
-Weakest weakest_of_tapers(const DesignInput& in);
+CriticalPlaces weakest_of_tapers(const DesignInput& in);
 
 }  // namespace loadpath::shaft

@@ -87,10 +87,10 @@ constexpr std::array<const char*, most_orders> harmonic_names{"torque_1", "torqu
 /// Orders of the varying torque: its harmonics of 1 % of the largest torque and more.
 template <class Judge>
 void for_each_harmonic(const Input& in, const Judge& judge) {
-  constexpr double felt = 0.01;
+  constexpr double noticeable = 0.01;
   const double turns = std::abs(turns_of(in));
   if (!torque_varies(in) || turns == 0.0) return;
-  const double least = felt * largest_torque(in);
+  const double least = noticeable * largest_torque(in);
   for (std::size_t k = 1; k <= most_orders; ++k) {
     const double h = static_cast<double>(k) / turns;
     if (h != 1.0 && swing_of_torque(in, k) >= least) judge(Order{harmonic_names[k - 1], h});

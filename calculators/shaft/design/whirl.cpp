@@ -54,7 +54,7 @@ AngularSpeed per_second(double omega) { return from_si<AngularSpeed>(omega / (2.
 constexpr std::array<const char*, most_whirls> names{"first", "second", "third"};
 
 template <class Tracer>
-Whirled whirled(std::size_t i, const beam::Whirl& whirl, AngularSpeed n, double like, Tracer& trace) {
+WhirlMode whirled(std::size_t i, const beam::Whirl& whirl, AngularSpeed n, double like, Tracer& trace) {
   [[maybe_unused]] const auto here = trace.scope("whirls", i);
   const auto natural = [&](const char* symbol, Sense sense, double spin, const char* why) {
     return trace.value(symbol, per_second(whirl.natural(i, sense, spin, above(like))), why);
@@ -62,7 +62,7 @@ Whirled whirled(std::size_t i, const beam::Whirl& whirl, AngularSpeed n, double 
   const auto critical = [&](const char* symbol, Sense sense, const char* why) {
     return trace.speed(symbol, from_si<AngularSpeed>(whirl.critical(i, sense, above(like))), why);
   };
-  Whirled w;
+  WhirlMode w;
   w.name = names[i];
   w.f_0 = natural("f_0", Sense::forward, 0.0, "K - w^2 M = 0, where it does not turn");
   if (is_set(w.f_0)) like = 2.0 * pi * in_si(w.f_0);

@@ -12,7 +12,7 @@ namespace {
 
 using Input = Held::Input;
 using Result = Held::Result;
-using Yields = List<Flexibility, most_cuts>;
+using Flexibilities = List<Flexibility, most_cuts>;
 
 /// Flexibility of a support: zero if rigid, and not required if the end is free.
 Yielding yielding_of(End end, Moment c) { return end == End::elastic ? 1.0 / c : from_si<Yielding>(0.0); }
@@ -64,7 +64,7 @@ StretchEnd end_of(const Slice& s, const Flexibility& f, Moment M_1, Tracer& trac
 
 /// Moments and rotations, stretch by stretch.
 template <class Tracer>
-void along(const Slices& slices, const Yields& yields, Result& r, Tracer& trace) {
+void along(const Slices& slices, const Flexibilities& flexibilities, Result& r, Tracer& trace) {
   double phi = r.phi_1;
   r.sections.push_back({0.0 * mm, phi});
   Moment M_max = 0.0 * N_m;
@@ -72,7 +72,7 @@ void along(const Slices& slices, const Yields& yields, Result& r, Tracer& trace)
   for (std::size_t i = 0; i < slices.size(); ++i) {
     [[maybe_unused]] const auto scope = trace.scope("stretches", i);
     const Slice& s = slices[i];
-    const Flexibility& f = yields[i];
+    const Flexibility& f = flexibilities[i];
     const Moment Q = trace.value("Q", s.Q, "loads up to its first end, with the application factor");
     const Moment M_1 = NAMED_STEP("M_1", -R_1 - Q, "the resultant on its right is the opposite of that on its left");
     const auto [M_2, dphi] = end_of(s, f, M_1, trace);
@@ -243,19 +243,19 @@ void judge(const Input& in, const Slices& slices, Result& r, Tracer& trace) {
 }
 
 /// Flexibility of the bar, stretch by stretch and in total.
-struct Yielded {
-  Yields yields;
+struct BarFlexibility {
+  Flexibilities flexibilities;
   Yielding F = from_si<Yielding>(0.0);
   double phi_0 = 0.0;
 };
 
 template <class Tracer>
-Yielded give_way(const Input& in, const Slices& slices, Tracer& trace) {
-  Yielded whole;
+BarFlexibility flexibility_of(const Input& in, const Slices& slices, Tracer& trace) {
+  BarFlexibility whole;
   for (std::size_t i = 0; i < slices.size(); ++i) {
     [[maybe_unused]] const auto scope = trace.scope("stretches", i);
     const Flexibility f = flexibility(in, slices[i], trace);
-    whole.yields.push_back(f);
+    whole.flexibilities.push_back(f);
     whole.F += f.f_0;
     whole.phi_0 -= reduced(slices[i].Q * f.f_0 + slices[i].m * f.f_1);
   }
@@ -268,11 +268,11 @@ template <class Tracer>
 Held::Result Held::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const Slices slices = slices_of(in);
-  const Yielded whole = give_way(in, slices, trace);
+  const BarFlexibility whole = flexibility_of(in, slices, trace);
   trace.value("F", whole.F, "rotation over the full bar per unit moment: sum over the intervals");
   trace.angle("phi_0", whole.phi_0, "rotation of its second end against its first by the loads, without R_1");
   react(in, whole.F, whole.phi_0, r, trace);
-  along(slices, whole.yields, r, trace);
+  along(slices, whole.flexibilities, r, trace);
   judge(in, slices, r, trace);
   return r;
 }

@@ -40,7 +40,7 @@ struct Segment {
           .usually(1, 2000)
           .may_be_missing(),
       Field{&Segment::d_bore, "d_bore", mm, "diameter of the bore; of a cone at its first end"}.at_least(0),
-      Field{&Segment::d_bore_2, "d_bore_2", mm, "diameter of the bore at its second end, where it changes"}
+      Field{&Segment::d_bore_2, "d_bore_2", mm, "diameter of the bore at the second end, if different"}
           .at_least(0)
           .may_be_missing(),
       Field{&Segment::G, "G", GPa, "its own shear modulus"}.positive().usually(least_G, most_G).may_be_missing(),
@@ -49,7 +49,7 @@ struct Segment {
           .usually(1, 1000)
           .customarily_at_most(600)
           .may_be_missing(),
-      Field{&Segment::m, "m", N_m_per_m, "torque per length along it, signed"}.load()};
+      Field{&Segment::m, "m", N_m_per_m, "torque per unit length, signed"}.load()};
 };
 
 /// A cylinder around the bar, or inside its bore, that rotates as one with it along its full length.
@@ -59,7 +59,7 @@ struct Sleeve {
   Stress G = unset<Stress>, tau_adm = unset<Stress>;
   static constexpr Fields fields{
       NameField{&Sleeve::name, "name", "name of the sleeve"}.may_be_missing(),
-      Field{&Sleeve::x, "x", mm, "its first end, from that of the bar"}.at_least(0),
+      Field{&Sleeve::x, "x", mm, "first end of the sleeve, from the first end of the bar"}.at_least(0),
       Field{&Sleeve::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
       Field{&Sleeve::d, "d", mm, "outer diameter"}.positive().usually(1, 2000),
       Field{&Sleeve::d_bore, "d_bore", mm, "diameter of its bore"}.at_least(0),

@@ -20,9 +20,9 @@ struct Place {
 
 bool meet(const Place& a, const Place& b) {
   const Length close = rounding * max(a.ring.d, b.ring.d);
-  const bool beside = a.to <= b.from + close || b.to <= a.from + close;
+  const bool apart = a.to <= b.from + close || b.to <= a.from + close;
   const bool around = a.ring.d <= b.ring.d_bore + close || b.ring.d <= a.ring.d_bore + close;
-  return !beside && !around;
+  return !apart && !around;
 }
 
 Place place_of(const Sleeve& s) { return {s.x, s.x + s.l, {s.d, s.d_bore}}; }
@@ -55,9 +55,9 @@ bool Held::has_moduli(const Input& in) {
 }
 
 bool Held::walls_stand(const Input& in) {
-  const auto stands = [](const Ring& r) { return r.d_bore < r.d; };
+  const auto is_hollow = [](const Ring& r) { return r.d_bore < r.d; };
   return std::all_of(in.segments.begin(), in.segments.end(),
-                     [&](const Segment& s) { return stands(ring_at(s, 0.0 * mm)) && stands(ring_at(s, s.l)); }) &&
+                     [&](const Segment& s) { return is_hollow(ring_at(s, 0.0 * mm)) && is_hollow(ring_at(s, s.l)); }) &&
          std::all_of(in.sleeves.begin(), in.sleeves.end(), [](const Sleeve& s) { return s.d_bore < s.d; });
 }
 

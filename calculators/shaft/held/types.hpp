@@ -45,13 +45,14 @@ struct HeldTypes {
     Moment T = unset<Moment>;
     Stress tau = unset<Stress>, tau_all = unset<Stress>;
     double u_tau = unset<double>;
-    static constexpr Fields fields{NameField{&Member::name, "name", "segment or sleeve"},
-                                   Field{&Member::x, "x", mm, "position of its maximum stress"},
-                                   Field{&Member::d, "d", mm, "its outer diameter there"},
-                                   Field{&Member::T, "T", N_m, "its part of the moment there, signed"}.holding("K_A"),
-                                   Field{&Member::tau, "tau", MPa, "maximum shear stress"},
-                                   Field{&Member::tau_all, "tau_all", MPa, "allowable shear stress"},
-                                   Field{&Member::u_tau, "u_tau", ratio, "shear stress / allowable shear stress"}};
+    static constexpr Fields fields{
+        NameField{&Member::name, "name", "segment or sleeve"},
+        Field{&Member::x, "x", mm, "position of its maximum stress"},
+        Field{&Member::d, "d", mm, "outer diameter at this position"},
+        Field{&Member::T, "T", N_m, "torque of the segment or sleeve at this position, signed"}.holding("K_A"),
+        Field{&Member::tau, "tau", MPa, "maximum shear stress"},
+        Field{&Member::tau_all, "tau_all", MPa, "allowable shear stress"},
+        Field{&Member::u_tau, "u_tau", ratio, "shear stress / allowable shear stress"}};
   };
 
   struct Result {

@@ -49,7 +49,7 @@ constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) 
           "shaft.design"),
       Mode<Input>{"deflection", "deflection and slope", &unseen<Input>}.of_service().assessed_in("shaft.design"),
       Mode<Input>{"keyway", "yielding at keyways and notches", &unseen<Input>}.assessed_in("shaft.design"),
-      Mode<Input>{"hub", "slip of shaft-hub connections", &unseen<Input>}.assessed_beside(
+      Mode<Input>{"hub", "slip of shaft-hub connections", &unseen<Input>}.assessed_additionally_in(
           "shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw"),
       Mode<Input>{"wall", "local buckling of thin walls", &thin_wall<Input>},
       Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special()};

@@ -144,12 +144,13 @@ struct Seat {
       RecordField<Seat>{
           "connection",
           "shaft-hub connection (key, spline, press fit, set screw or pin): connection = \"=key.connection\""},
-      Field{&Seat::T_c, "T_c", N_m, "torque that the shaft-hub connection is assessed for, with the application factor"}
+      Field{&Seat::T_c, "T_c", N_m,
+            "torque for which the shaft-hub connection is assessed, with the application factor"}
           .of_a_step()
           .positive()
           .may_be_missing(),
       Field{&Seat::T_peak, "T_peak", N_m,
-            "peak torque (start, jam) that the shaft-hub connection is assessed for, compared with k_max T"}
+            "peak torque (start, jam) for which the shaft-hub connection is assessed, compared with k_max T"}
           .of_a_step()
           .positive()
           .may_be_missing(),
@@ -161,7 +162,7 @@ struct Seat {
           .at_least(0)
           .may_be_missing(),
       Field{&Seat::l_c, "l_c", mm, "axial length of the connection"}.positive().may_be_missing(),
-      Field{&Seat::r_c, "r_c", ratio, "torque ratio T_min/T_max that the connection is assessed for"}
+      Field{&Seat::r_c, "r_c", ratio, "torque ratio T_min/T_max for which the connection is assessed"}
           .within(-1, 1)
           .may_be_missing(),
       Field{&Seat::R_c, "R_c", MPa, "yield strength of the shaft in the calculation of the connection"}

@@ -127,7 +127,7 @@ theta_adm = "0.004 rad/m"
       Choice{&Result::governs, "governs", "governing condition"},
       Field{&Result::D_star, "D_star", mm, "diameter below which stiffness governs, solid or hollow"},
       Field{&Result::d, "d", mm, "outer diameter of segments without their own"},
-      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.one_of_body("bore"),
+      Field{&Result::d_bore, "d_bore", mm, "bore at d"}.one_of_body("bore"),
       Field{&Result::d_max, "d_max", mm, "maximum outer diameter of the shaft"},
       Field{&Result::d_s, "d_s", mm, "diameter for the material strength: heat treatment diameter, else the maximum"},
       Field{&Result::tau_max, "tau_max", MPa, "maximum shear stress"},

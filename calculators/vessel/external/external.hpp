@@ -102,7 +102,7 @@ material = "P265GH"
       Field{&Result::p_a, "p_a", MPa, "allowable external pressure"},
       Field{&Result::p_k, "p_k", MPa, "external pressure at the buckling limit, without design factor"},
       Field{&Result::p_cr, "p_cr", MPa, "elastic critical pressure of the perfect shell"},
-      Field{&Result::n, "n", ratio, "lobes around the circumference at that pressure"},
+      Field{&Result::n, "n", ratio, "lobes around the circumference at the buckling pressure"},
       Field{&Result::p_WT, "p_WT", MPa, "elastic critical pressure by Windenburg and Trilling"},
       Field{&Result::u_e, "u_e", ratio, "buckling: external pressure / allowable external pressure"}.check(),
       Field{&Result::x_D, "x_D", ratio, "outside diameter / analysis thickness"}.limit(20, 2000)};

@@ -15,14 +15,14 @@ bool is_apart(const Box& a, const Box& b) {
 }
 
 /// Whether both ends of a segment lie on the same side of the box, as those of most segments do.
-bool is_beside(const Box& box, Point from, Point to) {
+bool is_clear_of(const Box& box, Point from, Point to) {
   return (from.x < box.left && to.x < box.left) || (from.x > box.right && to.x > box.right) ||
          (from.y < box.top && to.y < box.top) || (from.y > box.bottom && to.y > box.bottom);
 }
 
 /// Clips the segment to the box (Liang and Barsky) and returns whether something is left.
 bool enters(const Box& box, Point from, Point to) {
-  if (is_beside(box, from, to)) return false;
+  if (is_clear_of(box, from, to)) return false;
   const Point d = to - from;
   double enter = 0.0, leave = 1.0;
   const auto clip = [&](double slope, double room) {
@@ -131,7 +131,7 @@ std::array<Box, 2> both_sides(Point foot, Point direction, double gap, double wi
   return {pushed(foot, normal, gap, width, height), pushed(foot, -1.0 * normal, gap, width, height)};
 }
 
-std::vector<Candidate> beside(Point from, Point to, double gap, double width, double height) {
+std::vector<Candidate> along_segment(Point from, Point to, double gap, double width, double height) {
   std::vector<Candidate> candidates;
   for (const double far : {0.0, 14.0, 28.0}) {  // one and two lines off: where links lie on one another
     for (const double t : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {

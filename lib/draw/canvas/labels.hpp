@@ -58,6 +58,6 @@ std::vector<Candidate> around(Point point, double gap, double width, double heig
 std::array<Box, 2> both_sides(Point foot, Point direction, double gap, double width, double height = line_height);
 
 /// Boxes of a text on both sides of a segment, near its middle first.
-std::vector<Candidate> beside(Point from, Point to, double gap, double width, double height = line_height);
+std::vector<Candidate> along_segment(Point from, Point to, double gap, double width, double height = line_height);
 
 }  // namespace loadpath::draw

@@ -39,22 +39,22 @@ std::string list(std::size_t count, const Write& write) {
 std::string tenths(double at) { return std::to_string(std::lround(10.0 * at)); }
 
 /// Numbers as one text, words as a list and numbers of them.
-std::string column(const figure::Chart::Column& told, const std::vector<std::size_t>& dots) {
+std::string column(const figure::Chart::Column& readout, const std::vector<std::size_t>& dots) {
   std::string texts;
   for (const std::size_t dot : dots)
     texts += (texts.empty() ? "" : " ") +
-             (told.words.empty() ? value_text(told, dot) : std::to_string(std::lround(told.si[dot])));
-  return "[" + list(told.words.size(), [&](std::size_t i) { return json_text(told.words[i]); }) + "," +
+             (readout.words.empty() ? value_text(readout, dot) : std::to_string(std::lround(readout.si[dot])));
+  return "[" + list(readout.words.size(), [&](std::size_t i) { return json_text(readout.words[i]); }) + "," +
          json_text(texts) + "]";
 }
 
 }  // namespace
 
-std::string value_text(const figure::Chart::Column& told, std::size_t dot) {
-  const double si = told.si[dot];
+std::string value_text(const figure::Chart::Column& readout, std::size_t dot) {
+  const double si = readout.si[dot];
   if (!std::isfinite(si)) return "–";
-  if (!told.words.empty()) return told.words[static_cast<std::size_t>(si)];
-  return format_number(in_unit(si, told.unit), 5);
+  if (!readout.words.empty()) return readout.words[static_cast<std::size_t>(si)];
+  return format_number(in_unit(si, readout.unit), 5);
 }
 
 InteractiveChart interactive_chart(const figure::Figure& figure) {
@@ -72,11 +72,13 @@ InteractiveChart interactive_chart(const figure::Figure& figure) {
   const auto place = [&](std::size_t i) { return *drawn.places[dots[i]]; };
   InteractiveChart out;
   out.svg = svg_part(drawn.picture, say(figure.caption).text());
-  out.data = "{\"shown\":" + std::to_string(dots.empty() ? 0 : std::min(shown, dots.size() - 1)) +
-             ",\n\"x\":" + list(dots.size(), [&](std::size_t i) { return tenths(place(i).x); }) +
-             ",\n\"y\":" + list(dots.size(), [&](std::size_t i) { return tenths(place(i).y); }) + ",\n\"points\":" +
-             list(dots.size(), [&](std::size_t i) { return std::to_string(chart.points[dots[i]]); }) +
-             ",\n\"told\":" + list(chart.told.size(), [&](std::size_t k) { return column(chart.told[k], dots); }) + "}";
+  out.data =
+      "{\"shown\":" + std::to_string(dots.empty() ? 0 : std::min(shown, dots.size() - 1)) +
+      ",\n\"x\":" + list(dots.size(), [&](std::size_t i) { return tenths(place(i).x); }) +
+      ",\n\"y\":" + list(dots.size(), [&](std::size_t i) { return tenths(place(i).y); }) +
+      ",\n\"points\":" + list(dots.size(), [&](std::size_t i) { return std::to_string(chart.points[dots[i]]); }) +
+      ",\n\"readout\":" + list(chart.readout.size(), [&](std::size_t k) { return column(chart.readout[k], dots); }) +
+      "}";
   return out;
 }
 

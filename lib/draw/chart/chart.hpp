@@ -16,6 +16,6 @@ struct InteractiveChart {
 InteractiveChart interactive_chart(const figure::Figure& figure);
 
 /// The text for a dot: "12.5", a word; a dash if there is nothing.
-std::string value_text(const figure::Chart::Column& told, std::size_t dot);
+std::string value_text(const figure::Chart::Column& readout, std::size_t dot);
 
 }  // namespace loadpath::draw

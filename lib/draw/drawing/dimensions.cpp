@@ -66,7 +66,7 @@ void ViewPicture::draw_upright(const Row& row, Point from, Point to, double x, b
   fixed_texts_.push_back({{x + beyond, middle}, text, true});
 }
 
-void ViewPicture::draw_beside(const Row& row) {
+void ViewPicture::draw_row(const Row& row) {
   const auto& l = view_.lengths[row.length];
   const Point from = at(l.from), to = at(l.to);
   const double out = first_row + dimension_row * static_cast<double>(row.row);
@@ -88,11 +88,11 @@ void ViewPicture::draw_in_place(const figure::Drawing::Length& l) {
   const Point from = at(l.from), to = at(l.to);
   const Text text = text_of(l.value);
   headed(from, to);
-  free_text("halo", beside(from, to, 3.0, width(text, 1.05 * text_size)), text);
+  free_text("halo", along_segment(from, to, 3.0, width(text, 1.05 * text_size)), text);
 }
 
 void ViewPicture::draw_lengths() {
-  for (const Row& row : fit_.rows) draw_beside(row);
+  for (const Row& row : fit_.rows) draw_row(row);
   // Over the extension lines of dimensions farther out.
   for (const Fixed& fixed : fixed_texts_) fixed_text(fixed.centre, fixed.text, fixed.turned);
   for (const auto& l : view_.lengths) {
@@ -118,7 +118,7 @@ void ViewPicture::draw_radius(const figure::Drawing::Radius& radius) {
   arrow_head(canvas_, "solid", tip, e, head);
   if (radius.diameter) arrow_head(canvas_, "solid", start, -1.0 * e, head);
   labels_.keep_off({start, tip}, 2.0);
-  std::vector<Candidate> places = beside(start, tip, 3.0, wide);
+  std::vector<Candidate> places = along_segment(start, tip, 3.0, wide);
   for (Candidate& c : around(tip, 6.0, wide)) places.push_back({c.box, 8.0 + c.cost});
   free_text("halo", places, text);
 }
@@ -176,7 +176,7 @@ void ViewPicture::name_forces() {
     const double wide = width(text, 1.05 * text_size);
     const Point end = f.towards ? from : to;  // the one that is free
     std::vector<Candidate> places = around(end, 4.0, wide);
-    for (const Candidate& c : beside(from, to, 5.0, wide)) places.push_back({c.box, 1.0 + c.cost});
+    for (const Candidate& c : along_segment(from, to, 5.0, wide)) places.push_back({c.box, 1.0 + c.cost});
     for (const double far : {44.0, 62.0}) {
       for (const Candidate& c : around(end, far, wide)) places.push_back({c.box, 8.0 + c.cost});
     }

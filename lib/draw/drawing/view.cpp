@@ -231,19 +231,19 @@ std::string description(const figure::Drawing::View& view) {
   const auto add = [&](const std::string& part) {
     if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
   };
-  const auto told = [](const figure::Drawing::Value& value) { return plain(words_of(value)); };
+  const auto text_of = [](const figure::Drawing::Value& value) { return plain(words_of(value)); };
   for (const auto& area : view.areas) add(plain(area.name));
-  for (const auto& length : view.lengths) add(told(length.value));
-  for (const auto& radius : view.radii) add(told(radius.value));
-  for (const auto& angle : view.angles) add(told(angle.value));
-  for (const auto& force : view.forces) add(say("force {1}", told(force.value)).text());
+  for (const auto& length : view.lengths) add(text_of(length.value));
+  for (const auto& radius : view.radii) add(text_of(radius.value));
+  for (const auto& angle : view.angles) add(text_of(angle.value));
+  for (const auto& force : view.forces) add(say("force {1}", text_of(force.value)).text());
   for (const auto& turn : view.turns) {
     const std::string way = say(turn.counter_clockwise ? "turns counter-clockwise" : "turns clockwise").text();
-    add(turn.value ? told(*turn.value) + ", " + way : way);
+    add(turn.value ? text_of(*turn.value) + ", " + way : way);
   }
-  for (const auto& pressure : view.pressures) add(say("pressure {1}", told(pressure.value)).text());
+  for (const auto& pressure : view.pressures) add(say("pressure {1}", text_of(pressure.value)).text());
   for (const auto& name : view.names)
-    add(plain(name.words) + (name.value ? (name.words.empty() ? "" : ": ") + told(*name.value) : std::string()));
+    add(plain(name.words) + (name.value ? (name.words.empty() ? "" : ": ") + text_of(*name.value) : std::string()));
   add(plain(view.note));
   return text;
 }

@@ -31,7 +31,7 @@ class ViewPicture {
   void stroke(figure::Drawing::Line line, const std::vector<Point>& page);
 
   void draw_lengths();
-  void draw_beside(const Row& row);
+  void draw_row(const Row& row);
   void draw_level(const Row& row, Point from, Point to, double y, bool above);
   void draw_upright(const Row& row, Point from, Point to, double x, bool left);
   void draw_in_place(const figure::Drawing::Length& length);

@@ -217,7 +217,7 @@ class PlanPicture {
       const Text text = typeset(v.label);
       const double wide = width(text, 1.1 * text_size);
       const Point from = fit_.at(v.from), to = fit_.at(v.to), aside = shift(v);
-      auto places = beside(from + aside, to + aside, 4.0, wide);
+      auto places = along_segment(from + aside, to + aside, 4.0, wide);
       for (Candidate& c : around(to, 4.0, wide)) places.push_back({c.box, 6.0 + c.cost});
       const std::string colour =
           v.tone == figure::Plan::Tone::part ? "quiet" : "f" + std::to_string(static_cast<int>(v.tone));

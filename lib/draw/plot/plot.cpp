@@ -34,7 +34,7 @@ class PlotPicture {
   void add_far_places(Point dot, double wide, std::vector<Candidate>& places) const;
   void label_level(const Level& level);
   void label_curves();
-  [[nodiscard]] std::vector<Candidate> beside_curve(const DrawnCurve& drawn, double width) const;
+  [[nodiscard]] std::vector<Candidate> places_along_curve(const DrawnCurve& drawn, double width) const;
   void draw_legend();
   [[nodiscard]] std::string description() const;
 
@@ -138,7 +138,7 @@ void PlotPicture::label_level(const Level& level) {
 }
 
 /// Places on both sides all along the curve; level stretches on the right first.
-std::vector<Candidate> PlotPicture::beside_curve(const DrawnCurve& drawn, double width) const {
+std::vector<Candidate> PlotPicture::places_along_curve(const DrawnCurve& drawn, double width) const {
   constexpr double spacing = 12.0, low = 15.0;  // with room for a subscript
   std::vector<Candidate> places;
   const auto add = [&](Point foot, Point direction) {
@@ -163,7 +163,7 @@ void PlotPicture::label_curves() {
     const std::string& label = plot_.curves[i].label;
     const bool said_by_axis = curves_.size() == 1 && label == plot_.y.symbol;
     if (label.empty() || curves_[i].pieces.empty() || said_by_axis) continue;
-    const auto box = labels_.place_free(beside_curve(curves_[i], width(typeset(label), text_size)));
+    const auto box = labels_.place_free(places_along_curve(curves_[i], width(typeset(label), text_size)));
     if (!box) return draw_legend();
     found.emplace_back(*box, i);
   }

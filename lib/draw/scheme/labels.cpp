@@ -39,7 +39,7 @@ void SchemePicture::label_forces() {
     const Text text = typeset(a.label);
     const double wide = width(text, 1.1 * text_size);
     std::vector<Candidate> places = around(fit_.tip(a), 3.0, wide);
-    for (Candidate& c : beside(at(a.at), fit_.tip(a), 4.0, wide)) places.push_back({c.box, 1.0 + c.cost});
+    for (Candidate& c : along_segment(at(a.at), fit_.tip(a), 4.0, wide)) places.push_back({c.box, 1.0 + c.cost});
     force_group("data-name", n, [&] { label(a.load ? "halo f1" : "halo f0", places, text); });
   }
 }
@@ -70,7 +70,7 @@ void SchemePicture::label_bodies() {
       places = {{Box::around(1.0 / static_cast<double>(points.size()) * sum, wide, line_height), -5.0}};
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto sides = beside(points[i], points[(i + 1) % points.size()], 5.0, wide);
+      const auto sides = along_segment(points[i], points[(i + 1) % points.size()], 5.0, wide);
       places.insert(places.end(), sides.begin(), sides.end());
     }
     if (points.size() < 3) {  // a short link in a crowd: farther off

@@ -54,7 +54,7 @@ void SchemePicture::label_springs() {
   for (std::size_t n = 0; n < scheme_.springs.size(); ++n) {
     const auto& s = scheme_.springs[n];
     const Text text = typeset(s.name);
-    const auto places = beside(at(s.from), at(s.to), 3.0 + spring_half, width(text, text_size));
+    const auto places = along_segment(at(s.from), at(s.to), 3.0 + spring_half, width(text, text_size));
     const int by = motion_ == nullptr ? -1 : motion_->springs[n].from;
     const Box place = labels_.place(places);
     carried({by, -1}, fit_.back(place.centre()), [&] { canvas_.centred_text("quiet halo", place, text); });

@@ -82,13 +82,13 @@ inline Text diameter_label(const Cylinder& c) {
 }
 
 /// Whether the text of a diameter has room next to its dimension line, along the shaft.
-inline bool lies_inside(const Cylinder& c) {
+inline bool fits_along(const Cylinder& c) {
   constexpr double gaps = 15.0;
   return c.right - c.left > width(diameter_label(c), text_size) + gaps;
 }
 
 /// Whether it has room across the shaft, above the axis.
-inline bool stands_inside(const Cylinder& c) {
+inline bool fits_upright(const Cylinder& c) {
   constexpr double least_room = 24.0, gaps = 10.0;
   return c.right - c.left >= least_room &&
          std::min(c.radius, c.right_radius) > width(diameter_label(c), text_size) + gaps;

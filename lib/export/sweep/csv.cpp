@@ -44,7 +44,7 @@ std::string word_of(double state) {
 std::string csv_head(const project::SweepPlan& plan) {
   std::string text = "point";
   for (const project::SweptInput& input : plan.inputs) text += "," + head(input.name, input.unit);
-  for (const std::size_t k : plan.beside_inputs()) text += "," + head(plan.columns[k].name, plan.columns[k].unit);
+  for (const std::size_t k : plan.output_columns()) text += "," + head(plan.columns[k].name, plan.columns[k].unit);
   return text + ",state,utilisation\n";
 }
 
@@ -52,7 +52,7 @@ void append_csv(const project::SweepPlan& plan, const project::SolvedBlock& bloc
   const std::size_t inputs = plan.inputs.size(), results = plan.columns.size();
   std::vector<std::vector<double>> columns;
   for (std::size_t i = 0; i < inputs; ++i) columns.push_back(shown(block.inputs[i], plan.inputs[i].unit));
-  for (const std::size_t k : plan.beside_inputs()) columns.push_back(shown(block.results[k], plan.columns[k].unit));
+  for (const std::size_t k : plan.output_columns()) columns.push_back(shown(block.results[k], plan.columns[k].unit));
   for (std::size_t row = 0; row < block.count; ++row) {
     text += std::to_string(block.first + row);
     for (std::size_t c = 0; c < columns.size(); ++c) {

@@ -127,12 +127,12 @@ bool Hdf5File::Parts::add(const std::string& name, const std::string& unit, cons
               H5Dclose);
   if (!data.is_open()) return false;
   const std::uint64_t number = columns.size();
-  const bool told = put(*data, "name", name) && put(*data, "unit", unit) &&
-                    put(*data, "shown_in", shown_in.empty() ? "-" : shown_in) && put(*data, "number", number) &&
-                    (words.empty() || put(*data, "words", words));
+  const bool written = put(*data, "name", name) && put(*data, "unit", unit) &&
+                       put(*data, "shown_in", shown_in.empty() ? "-" : shown_in) && put(*data, "number", number) &&
+                       (words.empty() || put(*data, "words", words));
   columns.push_back({std::move(data), {}});
   columns.back().waiting.reserve(rows_at_once);
-  return told;
+  return written;
 }
 
 bool Hdf5File::Parts::add_columns(const SweepPlan& plan) {
@@ -141,7 +141,7 @@ bool Hdf5File::Parts::add_columns(const SweepPlan& plan) {
     if (!add(input.name, unit_or_one(input.dimension), input.unit, input.words, rows)) return false;
   }
   results = plan.kept_results();
-  for (const std::size_t k : plan.beside_inputs()) {
+  for (const std::size_t k : plan.output_columns()) {
     const project::SweptResult& result = plan.columns[k];
     if (!add(result.name, unit_or_one(result.dimension), result.unit, {}, rows)) return false;
   }

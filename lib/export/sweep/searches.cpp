@@ -63,15 +63,15 @@ void write_neighbours(JsonWriter& json, const project::Best& best) {
       json.member("constraint", best.demands[neighbour.broken].text);
       json.member("utilisation", neighbour.outputs[neighbour.broken + 1]);
     }
-    if (!best.lacks[i].empty()) json.member("reason", best.lacks[i].text());
+    if (!best.reasons[i].empty()) json.member("reason", best.reasons[i].text());
     json.close_object();
   }
   json.close_array();
 }
 
-const char* kind_of(const sweep::Meeting& meeting) {
-  using Kind = sweep::Meeting::Kind;
-  switch (meeting.kind) {
+const char* kind_of(const sweep::Solution& solution) {
+  using Kind = sweep::Solution::Kind;
+  switch (solution.kind) {
     case Kind::crossing:
       return "crossing";
     case Kind::touching:
@@ -143,7 +143,7 @@ std::string json_of(const project::Project& project, const project::Best& best) 
   json.member("satisfies_constraints", optimum.allowed);
   if (!optimum.allowed && optimum.worst < best.demands.size())
     json.member("violated", best.demands[optimum.worst].text);
-  if (!best.lack.empty()) json.member("reason", best.lack.text());
+  if (!best.reason.empty()) json.member("reason", best.reason.text());
   if (!best.fails.empty()) json.member("fails", best.fails.text());
   json.member("designs", static_cast<std::int64_t>(optimum.candidates > 0 ? optimum.candidates : optimum.evaluations));
   json.member("all_designs", optimum.reach == sweep::Optimum::Reach::every_point && !optimum.budget_spent);
@@ -164,18 +164,18 @@ std::string json_of(const project::Project& project, const project::SoughtValue&
   write_input(json, sought.input);
   json.member("target", sought.target);
   json.member("target_unit", si_of_shown(sought.unit));
-  json.key("solutions").open_array();
-  for (const sweep::Meeting& meeting : sought.sought.meetings) {
+  json.key("meetings").open_array();
+  for (const sweep::Solution& solution : sought.sought.solutions) {
     json.open_object();
-    json.member("value", meeting.at);
-    if (meeting.kind == sweep::Meeting::Kind::stretch) json.member("to", meeting.to);
-    json.member("result", meeting.value);
-    json.member("kind", kind_of(meeting));
-    json.member("within", meeting.within);
+    json.member("value", solution.at);
+    if (solution.kind == sweep::Solution::Kind::stretch) json.member("to", solution.to);
+    json.member("result", solution.value);
+    json.member("kind", kind_of(solution));
+    json.member("within", solution.within);
     json.close_object();
   }
   json.close_array();
-  if (sought.sought.meetings.empty()) {
+  if (sought.sought.solutions.empty()) {
     json.member("nearest", sought.sought.nearest);
     json.member("result_there", sought.sought.value);
   }

@@ -86,7 +86,7 @@ void SweepStore::name_columns(const SweepPlan& plan) {
   };
   for (const project::SweptInput& input : plan.inputs) add(input.name, input.unit, si_unit(input.dimension));
   results_ = plan.kept_results();
-  for (const std::size_t k : plan.beside_inputs()) {
+  for (const std::size_t k : plan.output_columns()) {
     const project::SweptResult& column = plan.columns[k];
     add(column.name, column.unit, si_unit(column.dimension));
   }
@@ -124,7 +124,7 @@ Message SweepStore::begin() {
 Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& plan, StoredSweep sweep,
                                        SweepStatistics none) {
   const auto taken = [&] {
-    return refused(folder, say("there is something already"),
+    return refused(folder, say("a file or folder of this name already exists"),
                    say("name a new folder, or continue the stored sweep: --resume"));
   };
   std::error_code error;
@@ -207,7 +207,7 @@ Message SweepStore::take(const SweptPart& part) {
     }
   }
   next_ = part.blocks.last;
-  return found_.merge(part.found) ? Message{} : say("a part was found twice");
+  return found_.merge(part.found) ? Message{} : say("a part was computed twice");
 }
 
 std::string SweepStore::state() const {

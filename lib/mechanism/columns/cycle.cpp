@@ -69,7 +69,7 @@ Status CycleColumns::assemble() {
   return status;
 }
 
-bool CycleColumns::stands_clear() {
+bool CycleColumns::is_regular_at_start() {
   if (!assembled_ || system_.chain() == nullptr) return false;
   std::vector<Drive> here(drivers_);
   for (std::size_t d = 0; d < drivers_; ++d) here[d].coordinate = coordinate(d);

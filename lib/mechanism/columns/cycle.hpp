@@ -33,12 +33,12 @@ class CycleColumns {
   /// The model has passed `diagnose`, as have those that are taken later.
   CycleColumns(const Model& model, std::size_t positions, Kept kept = {});
 
-  /// A model of the same structure, and closes it near its stated poses. Courses of loads are forgotten.
+  /// A model of the same structure, and closes it near its stated poses. Load curves are forgotten.
   Status take(const Model& model);
   /// The drivers' coordinates of that assembly.
   [[nodiscard]] double coordinate(std::size_t driver) const { return system_.coordinate(driver); }
   /// Whether that assembly keeps clear of change points, of a chain of dyads.
-  [[nodiscard]] bool stands_clear();
+  [[nodiscard]] bool is_regular_at_start();
   /// A load as it is at every position, in the axes that it has; it must outlive the next `solve`.
   void vary_load(std::size_t load, std::span<const LoadNow> course) { courses_[load] = course; }
 

@@ -30,7 +30,7 @@ GroupMotion::GroupMotion(const Model& model, const Plan& plan, GroupPositions& a
 // A link moves with the pin of the carrying link, and rotates or slides against it.
 inline void GroupMotion::carry_velocity(std::size_t t) {
   const TreeJoint& tree = plan_.tree[t];
-  const Hung& hung = at_.hung(t);
+  const TreeJointPlace& hung = at_.hung(t);
   const Moving& base = moving_[tree.on];
   Moving& link = moving_[tree.link];
   const bool turns = tree.kind == TreeJoint::Kind::turn;
@@ -41,7 +41,7 @@ inline void GroupMotion::carry_velocity(std::size_t t) {
 
 inline void GroupMotion::carry_acceleration(std::size_t t) {
   const TreeJoint& tree = plan_.tree[t];
-  const Hung& hung = at_.hung(t);
+  const TreeJointPlace& hung = at_.hung(t);
   const Moving& base = moving_[tree.on];
   Moving& link = moving_[tree.link];
   const bool turns = tree.kind == TreeJoint::Kind::turn;
@@ -183,7 +183,7 @@ inline void GroupMotion::sum_up(const GroupPlan& group, std::span<double> along)
   }
   for (std::size_t t = group.last_tree; t-- > group.first_tree;) {
     const TreeJoint& tree = plan_.tree[t];
-    const Hung& hung = at_.hung(t);
+    const TreeJointPlace& hung = at_.hung(t);
     const Wrench& needed = above_[tree.link];
     const double about_pin = needed.moment + cross(hung.arm, needed.force);
     if (tree.unknown != none) {
@@ -207,7 +207,7 @@ inline std::size_t GroupMotion::index(int link) const {
 // The remaining force on a link passes through its tree joint to the link that carries it.
 inline void GroupMotion::find_tree_force(std::size_t t, Position& out) {
   const TreeJoint& tree = plan_.tree[t];
-  const Hung& hung = at_.hung(t);
+  const TreeJointPlace& hung = at_.hung(t);
   const Vec force = moving_[tree.link].needed.force;
   const double about_pin = moving_[tree.link].needed.moment + cross(hung.arm, force);
   moving_[tree.on].needed.add({force, about_pin}, hung.lever);

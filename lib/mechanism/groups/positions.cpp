@@ -35,7 +35,7 @@ inline void GroupPositions::place(std::size_t t) {
   const TreeJoint& tree = plan_.tree[t];
   const Placed& on = links_[tree.on];
   Placed& link = links_[tree.link];
-  Hung& hung = hung_[t];
+  TreeJointPlace& hung = hung_[t];
   hung.lever = on.turned(tree.seat);
   if (tree.kind == TreeJoint::Kind::turn) {
     link.turned = on.turned * hung.turned;
@@ -90,7 +90,7 @@ void GroupPositions::read_value(std::size_t t) {
   const TreeJoint& tree = plan_.tree[t];
   const Placed& link = links_[tree.link];
   Placed& on = links_[tree.on];
-  Hung& hung = hung_[t];
+  TreeJointPlace& hung = hung_[t];
   if (tree.kind == TreeJoint::Kind::fixed) return;
   if (tree.on > plan_.ground) on = {{}, link.origin, 0.0};
   if (tree.kind == TreeJoint::Kind::turn) {
@@ -186,7 +186,7 @@ void GroupPositions::refer(const GroupPlan& group) {
 }
 
 inline Locus GroupPositions::path(std::size_t mover, Vec point) const {
-  const Hung& hung = hung_[mover];
+  const TreeJointPlace& hung = hung_[mover];
   if (plan_.tree[mover].kind == TreeJoint::Kind::slide) return {true, point, hung.along};
   const Vec arm = point - hung.pin;
   return {false, hung.pin, {}, std::sqrt(dot(arm, arm))};
@@ -202,7 +202,7 @@ Locus GroupPositions::path_of_j(const GroupPlan& group) const {
 }
 
 inline void GroupPositions::reach(std::size_t mover, Vec from, Vec to) {
-  const Hung& hung = hung_[mover];
+  const TreeJointPlace& hung = hung_[mover];
   if (plan_.tree[mover].kind == TreeJoint::Kind::slide) {
     hung_[mover].value = dot(to - from, hung.along);
   } else {

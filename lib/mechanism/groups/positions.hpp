@@ -15,7 +15,7 @@
 namespace loadpath::mechanism {
 
 /// A tree joint where the mechanism is, global axes.
-struct Hung {
+struct TreeJointPlace {
   double value = 0.0;  // its coordinate, rad or m
   Turn turned;         // turn: of link against `on`
   Vec pin, along;
@@ -61,7 +61,7 @@ class GroupPositions {
   [[nodiscard]] double branch(std::size_t g) const { return branch_[g]; }
 
   [[nodiscard]] const Placed& link(std::size_t k) const { return links_[k]; }
-  [[nodiscard]] const Hung& hung(std::size_t tree) const { return hung_[tree]; }
+  [[nodiscard]] const TreeJointPlace& hung(std::size_t tree) const { return hung_[tree]; }
   [[nodiscard]] const CutPlace& cut(std::size_t k) const { return cuts_[k]; }
   /// The closing equations of a group: rows by its cuts, columns by its unknown coordinates.
   [[nodiscard]] numerics::SmallLu& loops(std::size_t group) { return loops_[group]; }
@@ -101,7 +101,7 @@ class GroupPositions {
   const Plan& plan_;
   double length_;
   std::vector<Placed> links_;
-  std::vector<Hung> hung_;
+  std::vector<TreeJointPlace> hung_;
   std::vector<CutPlace> cuts_;
   std::vector<double> branch_;            // sides of groups
   std::vector<numerics::SmallLu> loops_;  // equations of groups

@@ -14,7 +14,7 @@ namespace {
 using Row = Eigen::Vector3d;  // a force and a couple in units of length
 
 /// The part of a reaction that is square to the forces of the joint's constraints.
-Reaction beside(const Pair& pair, const Reaction& reaction, double length) {
+Reaction unconstrained_part(const Pair& pair, const Reaction& reaction, double length) {
   Row left(reaction.force.x, reaction.force.y, reaction.couple / length);
   std::array<Row, 3> rows;
   for (std::size_t r = 0; r < pair.shape.rows(); ++r) {
@@ -37,7 +37,7 @@ Instant::Instant(const Model& model)
       constraints_(scaled_),
       q_(3 * (model.links.size() + 1)),  // the ground's stay zero
       no_targets_(model.drivers.size()),
-      beside_(model.joints.size()),
+      unconstrained_(model.joints.size()),
       inverse_(constraints_, groups(model)),
       rates_(constraints_.rows()),
       motions_(model.drivers.size() * constraints_.columns()) {
@@ -79,12 +79,12 @@ void Instant::place() {
 
 void Instant::find_induced_forces() {
   external_ = active_.size();
-  for (std::size_t k = 0; k < beside_.size(); ++k) {
+  for (std::size_t k = 0; k < unconstrained_.size(); ++k) {
     const Joint& joint = model_->joints[k];
     if (modes_of(joint) == 0) continue;
-    beside_[k] = beside(constraints_.pairs()[k], at_->reactions[k], length_);
-    add_induced(joint.i, k, beside_[k], 1.0);
-    add_induced(joint.j, k, beside_[k], -1.0);
+    unconstrained_[k] = unconstrained_part(constraints_.pairs()[k], at_->reactions[k], length_);
+    add_induced(joint.i, k, unconstrained_[k], 1.0);
+    add_induced(joint.j, k, unconstrained_[k], -1.0);
   }
 }
 

@@ -33,7 +33,7 @@ class Instant {
   [[nodiscard]] std::span<const ActiveForce> induced() const { return active().subspan(external_); }
   [[nodiscard]] std::span<const ActiveForce> external() const { return active().first(external_); }
   /// The part of a joint's reaction that does not come from its constraints.
-  [[nodiscard]] const Reaction& beside_constraints(std::size_t joint) const { return beside_[joint]; }
+  [[nodiscard]] const Reaction& unconstrained_reaction(std::size_t joint) const { return unconstrained_[joint]; }
 
   /// The unit of length of constraints and coordinates, m: it makes moments comparable with forces.
   [[nodiscard]] double length() const { return length_; }
@@ -77,7 +77,7 @@ class Instant {
   std::vector<double> q_, no_targets_;
   std::vector<ActiveForce> active_;
   std::size_t external_ = 0;
-  std::vector<Reaction> beside_;
+  std::vector<Reaction> unconstrained_;
   GroupInverse inverse_;
   std::vector<double> rates_;
   std::vector<double> motions_;  // motions of all links for one driver after the other

@@ -48,7 +48,7 @@ void Prover::compare(Proof::Method method, Proof& proof) const {
   const Position& at = instant_.at();
   double& most = proof.disagreement[method];
   for (std::size_t k = 0; k < at.reactions.size(); ++k) {
-    const Reaction found = forces_.reactions[k] + instant_.beside_constraints(k);
+    const Reaction found = forces_.reactions[k] + instant_.unconstrained_reaction(k);
     most = numerics::larger_magnitude(most, difference(at.reactions[k], found, instant_.length()));
   }
   for (std::size_t k = 0; k < at.effort.size(); ++k) compare_effort(method, k, forces_.effort[k], proof);

@@ -145,7 +145,7 @@ Finding without_effect(const Model& model, const Structure& structure) {
           say("this is a dead point of the drive, or two drivers act on the same freedom")};
 }
 
-Finding not_fitting(const Model& model, const Misfit& misfit) {
+Finding not_fitting(const Model& model, const CentreDistanceError& misfit) {
   const Joint& joint = model.joints[misfit.joint];
   const std::string apart = format_quantity(misfit.apart, "mm", 4), needed = format_quantity(misfit.needed, "mm", 4);
   if (joint.kind == JointKind::rack) {
@@ -182,7 +182,7 @@ std::vector<Finding> about_mobility(const Model& model, const Structure& structu
     for (const std::size_t joint : structure.parting) findings.push_back(parting(model, joint));
     return findings.empty() ? std::vector<Finding>{not_closing(model, structure)} : findings;
   }
-  for (const Misfit& misfit : structure.misfits) findings.push_back(not_fitting(model, misfit));
+  for (const CentreDistanceError& misfit : structure.misfits) findings.push_back(not_fitting(model, misfit));
   if (!findings.empty()) return findings;
   if (structure.singular) return {singular(model, structure)};
   if (!structure.redundant.empty()) findings = about_redundancy(model, structure);

@@ -48,9 +48,9 @@ int count_mobility(const Model& model) {
   return mobility;
 }
 
-std::vector<Misfit> misfits_of(const Constraints& constraints, double length) {
+std::vector<CentreDistanceError> misfits_of(const Constraints& constraints, double length) {
   constexpr double tolerance = 0.01;  // pitch circles that are a little apart only change the working radii
-  std::vector<Misfit> misfits;
+  std::vector<CentreDistanceError> misfits;
   for (std::size_t k = 0; k < constraints.pairs().size(); ++k) {
     const Pair& pair = constraints.pairs()[k];
     const double apart = mechanism::length(pair.at.apart);

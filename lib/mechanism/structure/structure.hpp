@@ -23,7 +23,7 @@ struct Finding {
 std::vector<Finding> check_parts(const Model& model);
 
 /// Wheels whose centre distance differs from that required by their radii.
-struct Misfit {
+struct CentreDistanceError {
   std::size_t joint = 0;
   double apart = 0.0, needed = 0.0;  // m; of a belt the least distance, of a rack that of its line
 };
@@ -39,7 +39,7 @@ struct Structure {
   /// Sets of joints that share one constraint too many, whichever of them is blamed; their reactions are not unique.
   std::vector<std::vector<std::size_t>> redundant;
   /// Misfits of gears and belts, whose joint does not fix its centres.
-  std::vector<Misfit> misfits;
+  std::vector<CentreDistanceError> misfits;
   /// Gears, racks and belts whose centre distance changes as the mechanism moves.
   std::vector<std::size_t> parting;
   /// Links that can move with all drivers fixed.

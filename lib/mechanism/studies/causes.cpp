@@ -58,7 +58,7 @@ void CauseSplit::find_share(std::size_t cause) {
   share_out(instant_.model(), instant_.constraints(), multipliers_, length, share.reactions, share.effort);
   if (causes_[cause].kind != Cause::Kind::induced) return;
   const std::size_t joint = causes_[cause].index;
-  share.reactions[joint] = share.reactions[joint] + instant_.beside_constraints(joint);
+  share.reactions[joint] = share.reactions[joint] + instant_.unconstrained_reaction(joint);
 }
 
 }  // namespace loadpath::mechanism

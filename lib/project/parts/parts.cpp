@@ -197,7 +197,7 @@ void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) 
 }
 
 /// The keys of a step that are not fields of its calculator.
-std::vector<std::string> keys_beside_fields(const Calculator& calculator) {
+std::vector<std::string> general_keys_of(const Calculator& calculator) {
   std::vector<std::string> keys = step_keys;
   keys.emplace_back("material");
   for (const std::string& group : table_groups(calculator)) {
@@ -258,7 +258,7 @@ bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
     add_error(issues, entry.place, entry.key, say("'{1}' is a list of tables, and a step is one", entry.key),
               say("write one pair of brackets: [{1}]", entry.key));
   } else if (entry.value.type != Tree::Type::table) {
-    add_error(issues, entry.place, entry.key, say("'{1}' is outside of a step", entry.key),
+    add_error(issues, entry.place, entry.key, say("'{1}' is outside a step", entry.key),
               say("a project file consists of tables: [crankshaft]"));
   } else {
     return true;
@@ -346,7 +346,7 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, const Project& project
   read_because(entry.value, input, issues);
   const std::size_t before = issues.size();
   input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
-                              keys_beside_fields(*input.calculator), issues);
+                              general_keys_of(*input.calculator), issues);
   name_results(input, before, issues);
   name_templates(input, before, issues);
   name_calculator(entry.value, input, catalogue, before, issues);

@@ -26,8 +26,8 @@ static Reading read_one(const toml::Tree& table, const RecordType& type, const T
 
 Reading read_record(const toml::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
                     const std::vector<std::string>& reserved, std::vector<Issue>& issues) {
-  const ReadOne read = [&](const toml::Tree& tree, std::vector<Issue>& told) {
-    return read_one(tree, type, from, prefix, reserved, told);
+  const ReadOne read = [&](const toml::Tree& tree, std::vector<Issue>& found) {
+    return read_one(tree, type, from, prefix, reserved, found);
   };
   return read_in_turn(table, prefix, read, issues);
 }

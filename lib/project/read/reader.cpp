@@ -184,8 +184,8 @@ void Reader::read_array(const Tree& tree, const FieldInfo& field, void* inner, c
 /// Whether a record is taken that may fill this field.
 static bool may_come(const Reading& reading, const std::string& path) {
   return std::any_of(reading.taken.begin(), reading.taken.end(), [&](const Taken& taken) {
-    const bool beside = taken.field != nullptr && taken.field->type == Type::record;
-    return path.starts_with(beside ? taken.path.substr(0, taken.path.rfind('.') + 1) : taken.path + ".");
+    const bool is_record = taken.field != nullptr && taken.field->type == Type::record;
+    return path.starts_with(is_record ? taken.path.substr(0, taken.path.rfind('.') + 1) : taken.path + ".");
   });
 }
 
@@ -203,13 +203,13 @@ void Reader::require(std::span<const FieldInfo> fields, void* owner, const std::
     if (field.type == Type::group) {
       require(field.fields, field.element(owner, 0), inner, place);
     } else if (is_missing(field, owner)) {
-      const Lacking lacking{inner, &field, place};
+      const MissingInput missing{inner, &field, place};
       if (may_come(reading_, inner) || is_record_typed(reading_, fields, path)) {
-        reading_.lacking.push_back(lacking);
+        reading_.missing.push_back(missing);
         continue;
       }
-      Issue issue = missing_field(lacking, prefix_);
-      say_at(issue.place, lacking.path, std::move(issue.message), std::move(issue.hint), issue.severity,
+      Issue issue = missing_field(missing, prefix_);
+      say_at(issue.place, missing.path, std::move(issue.message), std::move(issue.hint), issue.severity,
              issue.key_fault);
     }
   }

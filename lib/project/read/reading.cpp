@@ -52,13 +52,13 @@ bool is_of_record(const Reading& reading, const std::string& path) {
          std::any_of(reading.taken.begin(), reading.taken.end(), fills);
 }
 
-Issue missing_field(const Lacking& lacking, const std::string& prefix) {
-  const FieldInfo& field = *lacking.field;
+Issue missing_field(const MissingInput& missing, const std::string& prefix) {
+  const FieldInfo& field = *missing.field;
   const bool in_unit = field.type == Type::quantity && std::string_view(field.unit) != "-";
   const bool is_sought = *field.searched_in != '\0';
-  return {lacking.place,
-          prefix + lacking.path,
-          say("'{1}' is missing: {2}", lacking.path, field.doc),
+  return {missing.place,
+          prefix + missing.path,
+          say("'{1}' is missing: {2}", missing.path, field.doc),
           in_unit && is_sought ? say("write {1} = \"... {2}\", or {1} = \"?\" to find it", field.key, field.unit)
           : in_unit            ? say("write {1} = \"... {2}\"", field.key, field.unit)
                                : Message{},

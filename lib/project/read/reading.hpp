@@ -29,7 +29,7 @@ struct Operand {
   std::string text;                                         // as written, without the '='
   Place place;                                              // place of the text after the '='
   bool of_record = false;                                   // not typed
-  bool may_lack = false;                                    // records: inputs missing there stay open
+  bool may_be_incomplete = false;                           // records: inputs missing there stay open
   double early = std::numeric_limits<double>::quiet_NaN();  // SI, where it is known before any step is solved
 };
 
@@ -40,7 +40,7 @@ struct Taken {
   std::string source;                // "pick.best"
   Place place;                       // place of the text after the '='
   bool of_record = false;            // not typed
-  bool may_lack = false;             // records: inputs missing there stay open
+  bool may_be_incomplete = false;    // records: inputs missing there stay open
   const Axis* axis = nullptr;        // axis of a list that contains series
 };
 
@@ -69,7 +69,7 @@ struct Varied {
 };
 
 /// A typed value whose field a record gives too.
-struct TypedBeside {
+struct TypedOverride {
   std::string path;    // within the step
   std::string source;  // path of the record's value: "press.links.rod.l"
   bool is_word = false;
@@ -78,7 +78,7 @@ struct TypedBeside {
 };
 
 /// A field that has no value yet, and must have one.
-struct Lacking {
+struct MissingInput {
   std::string path;
   const FieldInfo* field;
   Place place;
@@ -101,9 +101,9 @@ struct Reading {
   std::vector<Operand> operands;
   std::vector<Operand> whole;  // single values of the record, derived from all positions of a series
   std::vector<Taken> taken;
-  std::vector<Taken> records;     // among the operands and the words now, field by field
-  std::vector<TypedBeside> kept;  // typed, though a record has it too
-  std::vector<Lacking> lacking;   // fields that a record may fill, known when all steps are read
+  std::vector<Taken> records;         // among the operands and the words now, field by field
+  std::vector<TypedOverride> kept;    // typed, though a record has it too
+  std::vector<MissingInput> missing;  // fields that a record may fill, known when all steps are read
   std::vector<Search> searches;
   std::vector<Varied> varied;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too
@@ -131,7 +131,7 @@ std::optional<std::string> lone_reference(const toml::Tree& tree);
 bool is_of_record(const Reading& reading, const std::string& path);
 
 /// The issue of a field without a value.
-Issue missing_field(const Lacking& lacking, const std::string& prefix);
+Issue missing_field(const MissingInput& missing, const std::string& prefix);
 
 /// Visits every path of other steps that the reading refers to position by position: their load components load the
 /// part.

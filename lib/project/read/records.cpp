@@ -165,7 +165,7 @@ bool Turning::are_written_out() {
     for (const Tree& record : turn.records) {
       if (const Tree* wrong = not_written_out(record))
         return refuse(wrong->place, turn, say("values of records taken in turn must be written out"),
-                      say("let it be a range of its own, outside of these records"));
+                      say("make it a range of its own, outside these records"));
     }
   }
   return true;
@@ -179,10 +179,10 @@ bool Turning::take(const Turn& turn, Reading& first) {
   for (std::size_t r = 1; r < turn.records.size(); ++r) {
     Tree table = table_;
     tree_at(table, turn.way) = turn.records[r];
-    std::vector<Issue> told;
-    const Reading other = read_(table, told);
-    if (has_errors(told)) {
-      issues_.insert(issues_.end(), told.begin(), told.end());
+    std::vector<Issue> found;
+    const Reading other = read_(table, found);
+    if (has_errors(found)) {
+      issues_.insert(issues_.end(), found.begin(), found.end());
       return false;
     }
     const Numbers others = numbers_of(other);

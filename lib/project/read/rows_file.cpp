@@ -91,7 +91,7 @@ class Rows {
   bool choose(const std::vector<std::string>& cells);
   bool choose_named(const Tree::Entry& named, const std::vector<std::string>& cells);
   bool unit_fits(const Column& column, const std::string& cell);
-  bool units_are_told(const std::vector<std::string>& cells);
+  bool has_all_units(const std::vector<std::string>& cells);
   bool take_row();
   [[nodiscard]] std::string keys() const;
   [[nodiscard]] const std::string& name() const { return tree_.find("file")->value.text; }
@@ -217,7 +217,7 @@ bool Rows::unit_fits(const Column& column, const std::string& cell) {
 }
 
 /// Numbers without a unit, of a field that has one, need it in the heading.
-bool Rows::units_are_told(const std::vector<std::string>& cells) {
+bool Rows::has_all_units(const std::vector<std::string>& cells) {
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const Column& column = columns_[k];
     if (column.field == nullptr || !has_unit(*column.field) || !column.heading.unit.empty()) continue;
@@ -235,7 +235,7 @@ bool Rows::take_row() {
                   say("line {1} of '{2}' does not have as many cells as its heading, {3}", std::to_string(number_),
                       name(), std::to_string(columns_.size())),
                   say("write a cell for each column, separated as in the heading"));
-  if (rows_.items.empty() && !units_are_told(cells)) return false;
+  if (rows_.items.empty() && !has_all_units(cells)) return false;
   Tree& row = rows_.items.emplace_back();
   row.place = at();
   for (std::size_t k = 0; k < cells.size(); ++k) {

@@ -145,7 +145,7 @@ void Values::settle(const std::string& name, std::vector<std::string>& path, std
     const Fault& fault = expression.fault();
     issues.push_back(
         {place_in(start, text, fault.at, fault.length), "values." + name, fault.message, fault.hint, Severity::error});
-    told_.insert(name);
+    reported_.insert(name);
     return;
   }
   write_into(*expression, start, "values." + name, issues);
@@ -167,12 +167,12 @@ void Values::refuse_circle(const std::vector<std::string>& names, std::vector<Is
   if (first + 2 == names.end()) return refuse_circle(names.back(), issues);
   Shared& shared = all_.at(names.back());
   std::string way;
-  bool told = false;
+  bool reported = false;
   for (auto name = first; name != names.end(); ++name) {
     way += (way.empty() ? "values." : " -> values.") + *name;
-    told = std::exchange(all_.at(*name).in_circle, true) && name + 1 != names.end();
+    reported = std::exchange(all_.at(*name).in_circle, true) && name + 1 != names.end();
   }
-  if (!told)
+  if (!reported)
     issues.push_back({shared.tree.place, "values." + names.back(), say("circular reference between values: {1}", way),
                       say("give one of them a value"), Severity::error});
 }
@@ -236,12 +236,12 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
     ++place.column;
     issues.push_back({place_in(place, tree.text, 0, tree.text.size() - 1), "values." + name,
                       say("unknown value '{1}'", name), nearest_to(name), Severity::error});
-    told_.insert(name);
+    reported_.insert(name);
     return tree;
   }
   if (!open_.insert(name).second) {
     refuse_circle(name, issues);
-    told_.insert(name);
+    reported_.insert(name);
     return tree;
   }
   found->second.is_used = true;
@@ -274,7 +274,7 @@ void Values::write_out_all_numbers(Tree& tree) const {
 
 Outcome<Signature> Values::signature(const std::string& name) {
   const auto found = all_.find(name);
-  if (found == all_.end() && told_.contains(name)) return Fault{};
+  if (found == all_.end() && reported_.contains(name)) return Fault{};
   if (found == all_.end()) return Fault{0, name.size(), say("unknown value '{1}'", name), nearest_to(name)};
   found->second.is_used = true;
   if (found->second.expression || found->second.in_circle) return Fault{};  // written out, or reported
@@ -367,7 +367,7 @@ void Values::collect_unused() {
 }
 
 void Values::warn_of_unused(std::vector<Issue>& issues) const {
-  if (!told_.empty()) return;  // a name that was mistyped may have meant it
+  if (!reported_.empty()) return;  // a name that was mistyped may have meant it
   for (const auto& [name, shared] : all_) {
     if (shared.is_used) continue;
     issues.push_back(

@@ -87,10 +87,10 @@ class Values {
   void settle(const std::string& name, std::vector<std::string>& path, std::vector<Issue>& issues);
 
   std::map<std::string, Shared> all_;
-  std::set<std::string> open_;  // while references are followed
-  std::set<std::string> told_;  // bare names without a value
-  std::size_t in_place_ = 0;    // number of replacements of names
-  bool too_many_ = false;       // reported
+  std::set<std::string> open_;      // while references are followed
+  std::set<std::string> reported_;  // bare names without a value
+  std::size_t in_place_ = 0;        // number of replacements of names
+  bool too_many_ = false;           // reported
   std::vector<std::pair<std::string, Value>> unused_;
   std::vector<std::pair<std::string, std::string>> unused_words_;
 };

@@ -31,7 +31,7 @@ bool Reader::read_one(const Tree& tree, const FieldInfo& field, void* owner, con
   if (field.type == Type::count)
     read_count(tree, field, owner, path);
   else if (tree.type == Tree::Type::text && tree.text.starts_with('='))
-    say_at(tree.place, path, say("values of a range must be written out"), say("let the other field be the range"));
+    say_at(tree.place, path, say("values of a range must be written out"), say("make the other field the range"));
   else
     read_literal(tree.type == Tree::Type::number ? format_exact(tree.number) : tree.text, tree, field, owner, path);
   si = field.get(owner);

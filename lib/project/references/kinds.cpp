@@ -27,8 +27,8 @@ std::string word_now(const Step& step, const Project& project, const std::string
 
 /// The kind of stress of a step, or a record of it: "normal", "shear"; empty if no choice defines it.
 std::string stress_of(const Step& step, const Project& project, const std::string& path) {
-  for (const std::string& beside : {path.substr(0, path.rfind('.') + 1), std::string()}) {
-    const std::string choice = beside + "stress";
+  for (const std::string& prefix : {path.substr(0, path.rfind('.') + 1), std::string()}) {
+    const std::string choice = prefix + "stress";
     const FieldInfo* const field = step.field(choice);
     if (field == nullptr || field->type != FieldInfo::Type::choice) continue;
     const std::string word = step.word(choice);  // known for a result once the step is solved

@@ -88,7 +88,7 @@ class Checking {
 
   void run() {
     const std::size_t before = issues_.size();
-    for (const TypedBeside& kept : step_.input().reading.kept) {
+    for (const TypedOverride& kept : step_.input().reading.kept) {
       if (kept.is_word) compare(kept);
     }
     if (issues_.size() > before) return;  // the required meaning of the values is not known
@@ -107,7 +107,7 @@ class Checking {
       const Said given = given_by(*source, rest);
       if (given.what.empty() || given.what == wanted.what) continue;
       if (wanted.what == limit_in_shear && given.what == limit_in_normal && is_by_distortion_energy(operand)) continue;
-      if (operand.of_record && !told_.insert(name).second) continue;  // several values of one record
+      if (operand.of_record && !reported_.insert(name).second) continue;  // several values of one record
       refuse(operand, reference, wanted, given);
     }
   }
@@ -137,21 +137,21 @@ class Checking {
   }
 
   /// Compares a typed word with that of a record.
-  void compare(const TypedBeside& beside) {
-    const auto [name, rest] = split_step(beside.source);
+  void compare(const TypedOverride& typed) {
+    const auto [name, rest] = split_step(typed.source);
     const Step* const source = project_.find(name);
     if (source == nullptr) return;
-    const std::string there = source->word(rest), here = word_before(step_, project_, beside.path);
+    const std::string there = source->word(rest), here = word_before(step_, project_, typed.path);
     if (there.empty() || here.empty() || there == here) return;
-    issues_.push_back({step_.input().reading.typed.at(beside.path).place, step_.name() + "." + beside.path,
-                       say("'{1}' is \"{2}\" here, and '{3}' is \"{4}\"", beside.path, here, beside.source, there),
+    issues_.push_back({step_.input().reading.typed.at(typed.path).place, step_.name() + "." + typed.path,
+                       say("'{1}' is \"{2}\" here, and '{3}' is \"{4}\"", typed.path, here, typed.source, there),
                        say("omit it: the record includes it"), Severity::error});
   }
 
   const Step& step_;
   const Project& project_;
   std::vector<Issue>& issues_;
-  std::set<std::string> told_;  // steps whose record is refused
+  std::set<std::string> reported_;  // steps whose record is refused
 };
 
 }  // namespace

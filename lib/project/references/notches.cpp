@@ -77,7 +77,7 @@ bool misses(const Project& project, const std::string& step, const NotchClaim& c
 }
 
 /// notch = smooth although values come from a key, press fit or pin of the same shaft.
-std::optional<ReducedLoad> smooth_beside_notch(const Step& step, const Project& project) {
+std::optional<ReducedLoad> smooth_despite_notch(const Step& step, const Project& project) {
   const Leaf notch = find_leaf(step.input().reading.record, "notch");
   if (!notch || notch.field->type != FieldInfo::Type::choice || word_of(notch) != "smooth") return std::nullopt;
   for (const Operand& operand : step.input().reading.operands) {
@@ -104,7 +104,7 @@ bool makes_notch(const Step* step) {
 std::vector<ReducedLoad> missed_notches(const Step& step, const Project& project) {
   std::vector<ReducedLoad> missed;
   if (step.input().calculator == nullptr) return missed;
-  if (auto smooth = smooth_beside_notch(step, project)) missed.push_back(std::move(*smooth));
+  if (auto smooth = smooth_despite_notch(step, project)) missed.push_back(std::move(*smooth));
   std::set<const Step*> seen;
   const Factor notch = notch_of_loads(step, project, seen);
   if (std::isnan(notch.value)) return missed;

@@ -315,12 +315,12 @@ class OriginCheck {
   void compare_component(const Operand& operand) {
     if (!operand.leaf.field->is_load || operand.leaf.field->key != std::string_view("F")) return;
     for (const auto& reference : operand.expression.references()) {
-      const std::string beside = prefix_of(reference.path), key = reference.path.substr(beside.size());
+      const std::string prefix = prefix_of(reference.path), key = reference.path.substr(prefix.size());
       if (key != "F_x" && key != "F_y" && key != "x" && key != "y") continue;
-      const double whole = std::abs(magnitude_at(project_, beside + "F"));
+      const double whole = std::abs(magnitude_at(project_, prefix + "F"));
       if (!(std::abs(magnitude_of(operand, project_)) < whole * (1.0 - most_apart))) continue;
       add(operand.path, say("{1} is only a component of '{2}F'; write ={2}F, or justify it: because.{1} = \"...\"",
-                            operand.path, beside));
+                            operand.path, prefix));
       return;
     }
   }

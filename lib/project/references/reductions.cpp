@@ -188,11 +188,11 @@ class ReductionCheck {
     if (!is_amplitude && !(own == paired_middle && r.function == "mean")) return false;
     const std::string source = split_step(operand.expression.references().front().path).first;
     return std::any_of(
-        step_.input().reading.operands.begin(), step_.input().reading.operands.end(), [&](const Operand& beside) {
-          return prefix_of(beside.path) == prefix_of(operand.path) &&
-                 reduction_of(calculator, beside.path) == (is_amplitude ? paired_middle : paired_amplitude) &&
-                 beside.expression.is_reference() &&
-                 split_step(beside.expression.references().front().path).first == source;
+        step_.input().reading.operands.begin(), step_.input().reading.operands.end(), [&](const Operand& other) {
+          return prefix_of(other.path) == prefix_of(operand.path) &&
+                 reduction_of(calculator, other.path) == (is_amplitude ? paired_middle : paired_amplitude) &&
+                 other.expression.is_reference() &&
+                 split_step(other.expression.references().front().path).first == source;
         });
   }
 
@@ -309,25 +309,26 @@ class ReductionCheck {
   [[nodiscard]] bool is_that_reduction(const Operand& operand, const Reduced& r) const {
     const std::string own = reduction_of(*step_.input().calculator, operand.path);
     if (own == "amplitude" || own == "mean") return own == r.function;
-    if (own == paired_amplitude) return r.function == "amplitude" && has_beside(operand, r, "amplitude", "midrange");
-    if (own == paired_middle) return r.function == "midrange" && has_beside(operand, r, "midrange", "amplitude");
+    if (own == paired_amplitude)
+      return r.function == "amplitude" && has_counterpart(operand, r, "amplitude", "midrange");
+    if (own == paired_middle) return r.function == "midrange" && has_counterpart(operand, r, "midrange", "amplitude");
     if (own != "max" && own != "min") return false;
-    return has_beside(operand, r, "max", "min") || has_beside(operand, r, "min", "max");
+    return has_counterpart(operand, r, "max", "min") || has_counterpart(operand, r, "min", "max");
   }
 
   /// Whether "max(rod.N)/A" has its counterpart "min(rod.N)/A", in an input that is a reduction of a cycle.
-  [[nodiscard]] bool has_beside(const Operand& operand, const Reduced& r, std::string_view own,
-                                std::string_view other) const {
+  [[nodiscard]] bool has_counterpart(const Operand& operand, const Reduced& r, std::string_view own,
+                                     std::string_view other) const {
     std::string text = operand.text;
     const std::size_t at = text.find(r.text);
     if (!r.text.starts_with(own) || at == std::string::npos) return false;
     text.replace(at, own.size(), other);
     const Calculator& calculator = *step_.input().calculator;
     return std::any_of(step_.input().reading.operands.begin(), step_.input().reading.operands.end(),
-                       [&](const Operand& beside) {
-                         return &beside != &operand && !reduction_of(calculator, beside.path).empty() &&
-                                prefix_of(beside.path) == prefix_of(operand.path) &&
-                                without_spaces(beside.text) == without_spaces(text);
+                       [&](const Operand& partner) {
+                         return &partner != &operand && !reduction_of(calculator, partner.path).empty() &&
+                                prefix_of(partner.path) == prefix_of(operand.path) &&
+                                without_spaces(partner.text) == without_spaces(text);
                        });
   }
 
@@ -338,7 +339,7 @@ class ReductionCheck {
       return say("{1} has a sign that decides, and peak(...) loses it: write the series itself, or {2}", path, reason);
     if (r.text.find('(') == std::string::npos && r.left == Left::less && r.text.find('.') != std::string::npos &&
         r.function.empty())
-      return say("{1} rests on '{2}', which is less than a load over its cycle: see there, or {3}", path, r.text,
+      return say("{1} depends on '{2}', which is less than a load over its cycle: see there, or {3}", path, r.text,
                  reason);
     const std::string own = reduction_of(*step_.input().calculator, path);
     if (own == "max" || own == "min")

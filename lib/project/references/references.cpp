@@ -58,9 +58,9 @@ class Settling {
     compare_loads_of_bodies();
     if (refused_ || !reading_.faulty.empty()) return;  // the members of the record are not known
     bool misses = false;
-    for (const Lacking& lacking : reading_.lacking) {
-      if (reading_.typed.count(lacking.path) != 0) continue;
-      issues_.push_back(missing(lacking));
+    for (const MissingInput& missing : reading_.missing) {
+      if (reading_.typed.count(missing.path) != 0) continue;
+      issues_.push_back(issue_of(missing));
       misses = true;
     }
     if (misses) mark_untyped(reading_);
@@ -68,14 +68,14 @@ class Settling {
 
  private:
   /// Required inputs that the records have not filled: reported at the first of them.
-  [[nodiscard]] Issue missing(const Lacking& lacking) const {
-    Issue issue = missing_field(lacking, step_.name() + ".");
+  [[nodiscard]] Issue issue_of(const MissingInput& missing) const {
+    Issue issue = missing_field(missing, step_.name() + ".");
     if (reading_.records.empty()) return issue;
     const Taken& record = reading_.records.front();
     issue.place = place_in(record.place, record.source, 0, record.source.size());
     issue.message = say("{1}, and '{2}' does not give it", issue.message, record.source);
     const Step* const source = project_.find(split_step(record.source).first);
-    const std::string other = source == nullptr ? "" : record_with(*source, record.source, lacking.path);
+    const std::string other = source == nullptr ? "" : record_with(*source, record.source, missing.path);
     if (!other.empty()) issue.hint = say("did you mean '={1}'?", other);
     return issue;
   }
@@ -151,8 +151,8 @@ class Settling {
 
   /// An operand, or a word, for every field that is not typed and that the record has.
   void fill_from(const Taken& taken, const Step& source, const std::string& rest) {
-    const bool beside = taken.field == nullptr || taken.field->type == Type::record;
-    const std::string base = beside ? taken.path.substr(0, taken.path.rfind('.') + 1) : taken.path + ".";
+    const bool is_record = taken.field == nullptr || taken.field->type == Type::record;
+    const std::string base = is_record ? taken.path.substr(0, taken.path.rfind('.') + 1) : taken.path + ".";
     const std::vector<Member> members = source.members(rest);
     std::string filled, kept;
     for_each_leaf(reading_.record, [&](const std::string& path, const Leaf& leaf) {
@@ -168,7 +168,7 @@ class Settling {
         return list(kept, given->key);
       }
       fill(taken, path, leaf, {given->key, source.name() + "." + given->path, given->is_word},
-           may_lack(source, *given, path));
+           may_be_incomplete(source, *given, path));
       list(filled, given->key);
     });
     if (filled.empty()) {
@@ -215,9 +215,9 @@ class Settling {
   }
 
   /// Once, though several loads are taken singly.
-  void keep(TypedBeside beside) {
-    const auto same = [&](const TypedBeside& kept) { return kept.path == beside.path && kept.source == beside.source; };
-    if (std::none_of(reading_.kept.begin(), reading_.kept.end(), same)) reading_.kept.push_back(std::move(beside));
+  void keep(TypedOverride typed) {
+    const auto same = [&](const TypedOverride& kept) { return kept.path == typed.path && kept.source == typed.source; };
+    if (std::none_of(reading_.kept.begin(), reading_.kept.end(), same)) reading_.kept.push_back(std::move(typed));
   }
 
   void take_body(const Taken& taken) {
@@ -250,8 +250,8 @@ class Settling {
     }
   }
 
-  void compare_loads(const std::string& beside, const std::string& record) {
-    const std::string base = beside.substr(0, beside.rfind('.') + 1);
+  void compare_loads(const std::string& prefix, const std::string& record) {
+    const std::string base = prefix.substr(0, prefix.rfind('.') + 1);
     const auto [name, rest] = split_step(record);
     const Step& source = *project_.find(name);
     for (const Member& member : source.members(rest)) {
@@ -305,19 +305,21 @@ class Settling {
   }
 
   /// `given`: with the full path of its value.
-  void fill(const Taken& taken, const std::string& path, const Leaf& leaf, const Member& given, bool may_lack) {
+  void fill(const Taken& taken, const std::string& path, const Leaf& leaf, const Member& given,
+            bool may_be_incomplete) {
     reading_.typed[path] = {"=" + given.path, taken.place};
-    if (given.is_word) return reading_.taken.push_back({path, leaf.field, given.path, taken.place, true, may_lack});
+    if (given.is_word)
+      return reading_.taken.push_back({path, leaf.field, given.path, taken.place, true, may_be_incomplete});
     auto expression = Expression::parse(given.path);
-    reading_.operands.push_back({path, leaf, std::move(*expression), given.path, taken.place, true, may_lack});
+    reading_.operands.push_back({path, leaf, std::move(*expression), given.path, taken.place, true, may_be_incomplete});
   }
 
   /// Inputs missing in the record stay open in the step, except for those that the step requires and for loads: an
   /// unknown load is not zero.
-  [[nodiscard]] bool may_lack(const Step& source, const Member& given, const std::string& path) const {
+  [[nodiscard]] bool may_be_incomplete(const Step& source, const Member& given, const std::string& path) const {
     const FieldInfo* const field = source.field(given.path);
-    const bool needed = std::any_of(reading_.lacking.begin(), reading_.lacking.end(),
-                                    [&](const Lacking& lacking) { return lacking.path == path; });
+    const bool needed = std::any_of(reading_.missing.begin(), reading_.missing.end(),
+                                    [&](const MissingInput& missing) { return missing.path == path; });
     return !needed && (field == nullptr || !field->is_load);
   }
 
@@ -359,9 +361,9 @@ double value_of(const Operand& operand, const Project& project) {
 
 }  // namespace
 
-bool has_reversed_ratio(const Step& step, const std::string& beside, const Project& project) {
+bool has_reversed_ratio(const Step& step, const std::string& prefix, const Project& project) {
   const Reading& reading = step.input().reading;
-  const std::string path = beside + "r";
+  const std::string path = prefix + "r";
   if (const Operand* const operand = reading.operand(path))
     return operand->early == -1.0 || value_of(*operand, project) == -1.0;
   const Leaf r = find_leaf(reading.record, path);

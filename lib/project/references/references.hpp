@@ -16,7 +16,7 @@ bool is_reduction(const Meaning& meaning);
 /// The prefix "others[2]." in "others[2].sigma_max".
 std::string prefix_of(const std::string& path);
 
-/// Whether the stress ratio of a cycle is typed as r = -1, `beside`: prefix of its inputs.
-bool has_reversed_ratio(const Step& step, const std::string& beside, const Project& project);
+/// Whether the stress ratio of a cycle is typed as r = -1, `prefix`: prefix of its inputs.
+bool has_reversed_ratio(const Step& step, const std::string& prefix, const Project& project);
 
 }  // namespace loadpath::project

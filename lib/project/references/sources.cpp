@@ -190,7 +190,7 @@ void visit_directions(const Reading& reading, const std::function<void(const std
 std::string path_of_reversal(const std::string& load) { return load.substr(0, load.rfind('.') + 1) + "reversal"; }
 
 void for_each_compared(const StepInput& step, const std::function<void(const std::string& path)>& visit) {
-  for (const TypedBeside& kept : step.reading.kept) visit(kept.source);
+  for (const TypedOverride& kept : step.reading.kept) visit(kept.source);
   for (const Operand& operand : step.reading.operands) {
     if (!operand.expression.is_reference()) continue;
     const std::string source = split_step(operand.expression.references().front().path).first;

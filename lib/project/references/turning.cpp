@@ -67,16 +67,16 @@ class Share {
 
 /// Whether the other inputs of the cycle make it symmetric: r = -1, the other end, the amplitude or the mean.
 bool is_reversed(const Step& step, const Operand& operand, const Project& project) {
-  const std::string beside = prefix_of(operand.path);
-  if (has_reversed_ratio(step, beside, project)) return true;
+  const std::string prefix = prefix_of(operand.path);
+  if (has_reversed_ratio(step, prefix, project)) return true;
   Share share(project);
   const double own = share.of(operand);
   const auto share_of = [&](const char* key) {
-    const Operand* const other = step.input().reading.operand(beside + key);
+    const Operand* const other = step.input().reading.operand(prefix + key);
     return other == nullptr ? 0.0 : share.of(*other);
   };
   const auto is = [&](double a, double b) { return std::abs(a - b) <= 0.02 * std::abs(own); };
-  const auto is_given = [&](const char* key) { return step.input().reading.typed.contains(beside + key); };
+  const auto is_given = [&](const char* key) { return step.input().reading.typed.contains(prefix + key); };
   if (is_given("sigma_a")) return is(std::abs(share_of("sigma_a")), std::abs(own));
   if (is_given("sigma_m")) return is(share_of("sigma_m"), 0.0);
   const bool both = is_given("sigma_max") && is_given("sigma_min");
@@ -88,9 +88,9 @@ bool is_reversed(const Step& step, const Operand& operand, const Project& projec
 std::optional<Message> turning_message(const Step& step, const Operand& operand, const Project& project) {
   if (step.input().calculator == nullptr) return std::nullopt;
   const Calculator& taker = *step.input().calculator;
-  const bool stands_still = has_meaning(taker, operand.path, steady_part);
+  const bool is_kinematically_stable = has_meaning(taker, operand.path, steady_part);
   const bool is_end = has_meaning(taker, operand.path, "max") || has_meaning(taker, operand.path, "min");
-  if (!stands_still && !is_end) return std::nullopt;
+  if (!is_kinematically_stable && !is_end) return std::nullopt;
   for (const auto& reference : operand.expression.references()) {
     if (!is_turning(reference.path, project)) continue;
     if (is_end && is_reversed(step, operand, project)) return std::nullopt;

@@ -84,7 +84,7 @@ void add_numbers(const Evaluation& evaluation, const Results& results, std::vect
 }
 
 /// A search result passes the assessed checks only: modes not assessed because of a missing input are reported with it.
-void tell_unjudged(Account& account) {
+void report_not_assessed(Account& account) {
   std::string names;
   for (const account::Mode& mode : account.modes) {
     if (mode.kind == ModeKind::strength && mode.state == account::State::not_judged && !mode.wants.empty())
@@ -111,7 +111,7 @@ void fill_account(const Evaluation& evaluation, const Findings& found, const Wan
     if (compared != found.governing.compared.end()) verdict.compared = compared->second;
   }
   add_modes(evaluation, found.results, found.weighed, account.verdicts, account.modes);
-  tell_unjudged(account);
+  report_not_assessed(account);
   for (const Line& line : governing.trace.lines()) account.scopes.insert(line.scope);
   if (!governing.is_evaluated) return;
   if (wanted.formulas) account.derivation = derive(governing.trace, input, result);

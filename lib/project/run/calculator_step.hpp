@@ -36,7 +36,7 @@ class CalculatorStep : public PreparedStep {
   [[nodiscard]] std::vector<std::size_t> first_rows_that_pass(const Known& known,
                                                               std::span<const std::size_t> alike) const;
   /// The row that the next solution takes, found together with that of another step.
-  void keep_to_row(RowTogether row) { together_ = std::move(row); }
+  void keep_to_row(JointRow row) { together_ = std::move(row); }
 
   /// Known once it is solved: typed inputs that rows and records for the same fields were compared with, each with the
   /// value up to which it needs no reason, NaN if that is not known; and whether all must be compared at every point.
@@ -49,7 +49,7 @@ class CalculatorStep : public PreparedStep {
   std::map<std::string, double> compared_;
   bool goes_point_by_point_ = false;
   std::vector<KeptBound> kept_bounds_;
-  std::optional<RowTogether> together_;
+  std::optional<JointRow> together_;
 };
 
 /// The step of an ordinary calculator.

@@ -253,8 +253,8 @@ double untyped(const RecordType& input, const std::string& path, const FieldInfo
 /// Whether the user could have omitted the input: neither a field nor a rule requires it.
 bool is_spare(Evaluation& evaluation, const std::string& path, const Leaf& leaf) {
   const double blank = untyped(*evaluation.calculator().input, path, *leaf.field), given = leaf.get();
-  const bool may_lack = leaf.field->optional && leaf.field->type == Type::quantity;
-  if (std::isnan(blank) && !may_lack) return false;
+  const bool may_be_incomplete = leaf.field->optional && leaf.field->type == Type::quantity;
+  if (std::isnan(blank) && !may_be_incomplete) return false;
   const Effects before = effects_of(evaluation);
   leaf.set(blank);  // it may activate a check, even if it does not decide it
   const bool spare = keeps_rules(evaluation) && equal(before, effects_of(evaluation));

@@ -148,7 +148,7 @@ void add_assumptions(const Evaluation& evaluation, const ModeInfo& info, account
   }
 }
 
-Bolder bolder_in(const WeighedValues& weighed, const std::vector<const account::Verdict*>& rows) {
+LessConservative bolder_in(const WeighedValues& weighed, const std::vector<const account::Verdict*>& rows) {
   for (const account::Verdict* row : rows) {
     if (const auto found = weighed.decided.find(row->symbol); found != weighed.decided.end()) return found->second;
   }
@@ -157,7 +157,7 @@ Bolder bolder_in(const WeighedValues& weighed, const std::vector<const account::
 
 /// A value more favourable than that of its source may be the reason why a mode does not apply: no sliding at a speed
 /// of zero. Checks of several modes do not show that.
-Applies applies_with(const ModeInfo& mode, Applies applies, const Bolder& bolder) {
+Applies applies_with(const ModeInfo& mode, Applies applies, const LessConservative& bolder) {
   const bool is_sole = std::string_view(mode.checks).find(',') == std::string_view::npos;
   return applies == Applies::no && is_sole && !bolder.wants.empty() ? Applies::yes : applies;
 }
@@ -177,7 +177,7 @@ void add_modes(const Evaluation& evaluation, const Results& results, const Weigh
     const auto rows = rows_of(mode, verdicts);
     const CheckNeeds needs =
         needs_of(mode, *calculator.result, [&](const FieldInfo& check) { return evaluation.is_asked(check); });
-    const Bolder bolder = bolder_in(weighed, rows);
+    const LessConservative bolder = bolder_in(weighed, rows);
     const Applies applies = applies_with(mode, results.applies[k], bolder);
     auto one = judged(evaluation.step(), mode, applies, rows, needs, bolder);
     if (!one) continue;

@@ -103,7 +103,7 @@ const StrengthBound* bound_of(const Evaluation& evaluation, const std::string& p
 }
 
 /// Adds typed fields that a row fills as well, and those that replace one that it would fill.
-void add_rows_beside(const Evaluation& evaluation, const Results& results, std::vector<Neighbour>& all) {
+void add_row_values(const Evaluation& evaluation, const Results& results, std::vector<Neighbour>& all) {
   const Inputs& inputs = evaluation.inputs();
   const StepInput& step = evaluation.step().input();
   for (const FieldInfo& field : evaluation.calculator().input->fields) {
@@ -136,7 +136,7 @@ void add_rows_beside(const Evaluation& evaluation, const Results& results, std::
 }
 
 /// A load of a record that includes a factor which this step applies itself: without it.
-void divide_by_own_factors(const Inputs& inputs, const TypedBeside& kept, Value& value) {
+void divide_by_own_factors(const Inputs& inputs, const TypedOverride& kept, Value& value) {
   for (const std::string& key : listed_keys(kept.factors)) {
     const Leaf own = inputs.leaf(key);
     const double factor = own && own.field->is_factor ? largest_magnitude(inputs.value_of(key, own)) : unknown;
@@ -146,8 +146,8 @@ void divide_by_own_factors(const Inputs& inputs, const TypedBeside& kept, Value&
 }
 
 /// Typed fields that a record has as well.
-void add_records_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
-  for (const TypedBeside& kept : evaluation.step().input().reading.kept) {
+void add_record_values(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
+  for (const TypedOverride& kept : evaluation.step().input().reading.kept) {
     const Leaf leaf = evaluation.inputs().leaf(kept.path);
     if (!leaf || !is_comparable(*leaf.field)) continue;
     Value value{{leaf.field->dimension, nullptr}, {unknown}};
@@ -242,7 +242,7 @@ double margin_of(const Evaluation& evaluation) {
 }
 
 /// Typed stresses that the strength of the material bounds.
-void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+void add_strength_bounds(const Evaluation& evaluation, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
   const std::string material = named_material(evaluation.inputs());
   const Message of = material.empty() ? say("the part") : say("the material '{1}'", material);
@@ -273,7 +273,7 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
 
 /// Adds values that differ from the step whose result is taken: the length of a bar whose effective length factor was
 /// calculated for another one.
-void add_origins_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
+void add_origin_values(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
   for (const Operand& operand : evaluation.step().input().reading.operands) {
     if (*operand.leaf.field->made_for == '\0' || !operand.expression.is_reference()) continue;
     const std::string source = split_step(operand.expression.references().front().path).first;
@@ -288,7 +288,7 @@ void add_origins_beside(const Evaluation& evaluation, const Known& known, std::v
 }
 
 /// Adds less favourable values in other steps of the same body.
-void add_body_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+void add_body_values(const Evaluation& evaluation, std::vector<Neighbour>& all) {
   const std::optional<BodyFacts>& facts = evaluation.step().body_facts();
   if (!facts) return;
   for (const auto& [path, fact] : *facts) {
@@ -305,7 +305,7 @@ void add_body_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) 
 }
 
 /// Typed values outside their usual range, with the nearest usual values.
-void add_usual_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+void add_usual_ranges(const Evaluation& evaluation, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
   for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
     const FieldInfo& field = *leaf.field;
@@ -321,7 +321,7 @@ void add_usual_beside(const Evaluation& evaluation, std::vector<Neighbour>& all)
 }
 
 /// Typed values on the favourable side of common practice, with its limits.
-void add_customary_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+void add_customary_limits(const Evaluation& evaluation, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
   for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
     const FieldInfo& field = *leaf.field;
@@ -340,7 +340,7 @@ void add_customary_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
 }
 
 /// Typed values that the calculation of another part would give; half of it shows which checks it decides.
-void add_unassessed_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+void add_unassessed_values(const Evaluation& evaluation, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
   for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
     if (!leaf.field->is_of_step || !is_typed(reading, path) || is_of_steps(reading, path)) return;
@@ -355,14 +355,14 @@ void add_unassessed_beside(const Evaluation& evaluation, std::vector<Neighbour>&
 
 std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results& results, const Known& known) {
   std::vector<Neighbour> all;
-  add_rows_beside(evaluation, results, all);
-  add_records_beside(evaluation, known, all);
-  add_strengths_beside(evaluation, all);
-  add_origins_beside(evaluation, known, all);
-  add_body_beside(evaluation, all);
-  add_usual_beside(evaluation, all);
-  add_customary_beside(evaluation, all);
-  add_unassessed_beside(evaluation, all);
+  add_row_values(evaluation, results, all);
+  add_record_values(evaluation, known, all);
+  add_strength_bounds(evaluation, all);
+  add_origin_values(evaluation, known, all);
+  add_body_values(evaluation, all);
+  add_usual_ranges(evaluation, all);
+  add_customary_limits(evaluation, all);
+  add_unassessed_values(evaluation, all);
   return all;
 }
 

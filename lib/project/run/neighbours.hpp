@@ -35,7 +35,7 @@ struct Neighbour {
   double safe = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Without sources_beside.hpp. `results`: rows are looked up at the resulting size, if there is one yet.
+/// Without source_values.hpp. `results`: rows are looked up at the resulting size, if there is one yet.
 std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results& results, const Known& known);
 
 /// Whether the user typed the input: a record may have filled it.

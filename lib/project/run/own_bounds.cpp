@@ -14,8 +14,8 @@ namespace {
 /// Whether a load of the step comes from a part with the key too: "press.links.rod.N" from one with a length.
 bool source_has(const Reading& reading, const std::string& key, const Known& known) {
   const auto has = [&](const Expression::Reference& reference) {
-    const std::string beside = reference.path.substr(0, reference.path.rfind('.') + 1) + key;
-    return !std::isnan(largest_magnitude(known(beside)));
+    const std::string path = reference.path.substr(0, reference.path.rfind('.') + 1) + key;
+    return !std::isnan(largest_magnitude(known(path)));
   };
   return std::any_of(reading.operands.begin(), reading.operands.end(), [&](const Operand& operand) {
     const auto& references = operand.expression.references();
@@ -46,7 +46,7 @@ std::vector<BoundLeaf> leaves_of(const BoundInfo& bound, const Evaluation& evalu
 
 }  // namespace
 
-void add_bounds_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
+void add_own_bounds(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
   const Calculator& calculator = evaluation.calculator();
   for (std::size_t i = 0; i < calculator.bounds.size(); ++i) {
     const BoundInfo& bound = calculator.bounds[i];

@@ -8,6 +8,6 @@
 namespace loadpath::project {
 
 /// A bound without a value here is NaN: at another point of a sweep it may have one.
-void add_bounds_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all);
+void add_own_bounds(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all);
 
 }  // namespace loadpath::project

@@ -5,7 +5,7 @@
 #include "lib/project/because.hpp"
 #include "lib/project/run/neighbours.hpp"
 #include "lib/project/run/own_bounds.hpp"
-#include "lib/project/run/sources_beside.hpp"
+#include "lib/project/run/source_values.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -62,9 +62,9 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& neighbour) {
 }
 
 /// All neighbours with a value, apart from derived bounds.
-std::vector<Neighbour> all_beside(const Evaluation& evaluation, const Results& results, const Known& known) {
+std::vector<Neighbour> all_neighbours(const Evaluation& evaluation, const Results& results, const Known& known) {
   std::vector<Neighbour> all = neighbours_of(evaluation, results, known);
-  add_sources_beside(evaluation, known, all);
+  add_source_values(evaluation, known, all);
   std::erase_if(all, [](const Neighbour& neighbour) { return std::isnan(largest_magnitude(neighbour.value)); });
   return all;
 }
@@ -97,8 +97,8 @@ void note_compared(const Evaluation& evaluation, const Neighbour& neighbour, Wei
 std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& results, const Known& known,
                                    WeighedValues& weighed) {
   std::vector<Neighbour> bolder;
-  std::vector<Neighbour> all = all_beside(evaluation, results, known);
-  add_bounds_beside(evaluation, known, all);
+  std::vector<Neighbour> all = all_neighbours(evaluation, results, known);
+  add_own_bounds(evaluation, known, all);
   for (Neighbour& neighbour : all) {
     note_compared(evaluation, neighbour, weighed);
     if (is_of_one_part(neighbour.kind)) continue;
@@ -176,8 +176,8 @@ bool is_far_from_usual(const Evaluation& evaluation, const Neighbour& neighbour)
 /// Marks the checks and limits that change with the neighbour in place of the value; for the nearest usual value,
 /// those that pass only with the typed one, and if it is `far` off those that it lowers. True if results change, but
 /// no check or limit, or if a check exists only with the neighbour: sliding, with a speed other than zero.
-bool mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, FieldRole kind, bool far,
-                  WeighedValues& weighed) {
+bool mark_decided(const Results& with_typed, const Results& with_other, const LessConservative& bolder, FieldRole kind,
+                  bool far, WeighedValues& weighed) {
   bool decides = false, changes = false, hides = false;
   for (const ResultSeries& series : with_typed.series) {
     if (is_same_in(with_other, series)) continue;
@@ -265,7 +265,7 @@ Message way_out(const Neighbour& neighbour) {
 void weigh_bodies(const Evaluation& evaluation, const Known& known, std::set<const Typed*>& used,
                   WeighedValues& weighed) {
   if (evaluation.step().input().because.empty()) return;
-  for (const Neighbour& neighbour : all_beside(evaluation, {}, known)) {
+  for (const Neighbour& neighbour : all_neighbours(evaluation, {}, known)) {
     const Typed* const reason = is_of_one_part(neighbour.kind) ? reason_for_body(evaluation, neighbour) : nullptr;
     const double typed = typed_value(evaluation, neighbour), other = largest_magnitude(neighbour.value);
     if (reason == nullptr || std::isnan(typed) ||
@@ -283,7 +283,7 @@ void weigh_bodies(const Evaluation& evaluation, const Known& known, std::set<con
 bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   const StepInput& step = evaluation.step().input();
-  for (const Neighbour& neighbour : all_beside(evaluation, {}, known)) {
+  for (const Neighbour& neighbour : all_neighbours(evaluation, {}, known)) {
     if (!is_of_one_part(neighbour.kind) || reason_for_body(evaluation, neighbour) != nullptr) continue;
     const double typed = typed_value(evaluation, neighbour), other = largest_magnitude(neighbour.value);
     if (std::isnan(typed) || is_equal(neighbour.kind, typed, other, rounding_of(evaluation, neighbour))) continue;
@@ -316,10 +316,11 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
     }
     weighed.holds_back = weighed.holds_back || (reason == nullptr && has_results);
     if (!has_results || (reason != nullptr && !wanted.unused)) continue;
-    const Bolder bolder = reason != nullptr
-                              ? Bolder{"", weighed.reasons.at(neighbour.path)}
-                              : Bolder{"because." + neighbour.path,
-                                       say("{1}; give the reason: because.{2} = \"...\"", excess, neighbour.path)};
+    const LessConservative bolder =
+        reason != nullptr
+            ? LessConservative{"", weighed.reasons.at(neighbour.path)}
+            : LessConservative{"because." + neighbour.path,
+                               say("{1}; give the reason: because.{2} = \"...\"", excess, neighbour.path)};
     const bool is_far = neighbour.kind == FieldRole::usual && is_far_from_usual(evaluation, neighbour);
     const bool only_changes =
         mark_decided(results, results_with(evaluation, neighbour), bolder, neighbour.kind, is_far, weighed);

@@ -15,9 +15,9 @@ namespace loadpath::project {
 
 /// Typed values more favourable than their neighbours, and the modes that they decide.
 struct WeighedValues {
-  std::map<std::string, Bolder> decided;   // by the check or limit that such a value decides
-  std::vector<Bolder> handed_on;           // without a reason, used only by other steps
-  std::map<std::string, Message> reasons;  // by the input: how it is bolder, and why
+  std::map<std::string, LessConservative> decided;  // by the check or limit that such a value decides
+  std::vector<LessConservative> handed_on;          // without a reason, used only by other steps
+  std::map<std::string, Message> reasons;           // by the input: how it is bolder, and why
   std::map<std::string, double> compared;  // typed inputs that have a neighbour: safe up to which value (Neighbour)
   std::vector<KeptBound> bounds;           // bounds that typed values keep
   bool compared_by_size = false;           // whether the neighbour of one of them depends on a size

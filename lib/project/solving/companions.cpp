@@ -7,13 +7,13 @@ namespace loadpath::project {
 namespace {
 
 /// Among alternatives, "chain.T_1|T_2", the one that `referred` contains; if it contains none, all.
-std::vector<std::string> alternatives_of(const std::string& companion, const std::string& beside,
+std::vector<std::string> alternatives_of(const std::string& companion, const std::string& prefix,
                                          const std::set<std::string>& referred) {
   std::vector<std::string> all, meant;
   for (std::size_t from = 0; from <= companion.size();) {
     const std::size_t to = std::min(companion.find('|', from), companion.size());
     const std::string key = companion.substr(from, to - from);
-    all.push_back(from == 0 ? key : beside + key);
+    all.push_back(from == 0 ? key : prefix + key);
     if (referred.count(all.back()) != 0) meant.push_back(all.back());
     from = to + 1;
   }

@@ -207,7 +207,7 @@ void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wan
     if (is_settled) break;
     issues.resize(before);  // they are reported again with the sizes of the bodies
     if (round < most_rounds) continue;
-    issues.push_back({project.steps.front()->input().place, "body", say("the sizes of the bodies do not settle"),
+    issues.push_back({project.steps.front()->input().place, "body", say("the sizes of the bodies do not converge"),
                       say("give one of them a value"), Severity::error});
     break;
   }

@@ -100,7 +100,7 @@ void DemandCounts::load(Reader& reader) {
 /// Rows that are kept of designs without samples: each block brings some, which costs as much as solving its points.
 constexpr std::size_t most_single = 12;
 
-Designs::Designs(DesignsAsked asked)
+Designs::Designs(DesignsRequest asked)
     : asked_(std::move(asked)),
       pareto_(asked_.aims.empty() ? sweep::Pareto() : sweep::Pareto(asked_.aims)),
       demands_met_(asked_.demands.size()) {

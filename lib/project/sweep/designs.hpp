@@ -58,7 +58,7 @@ struct DemandCounts {
 };
 
 /// What is asked of the designs.
-struct DesignsAsked {
+struct DesignsRequest {
   std::uint64_t samples = 1;  // of each design; 0: there is one only, and nothing to compare
   std::size_t results = 0, modes = 0;
   double quantile = 0.99;
@@ -71,7 +71,7 @@ struct DesignsAsked {
 class Designs {
  public:
   Designs() = default;
-  explicit Designs(DesignsAsked asked);
+  explicit Designs(DesignsRequest asked);
 
   void add(const SolvedBlock& block);
   void merge(const Designs& other);
@@ -84,7 +84,7 @@ class Designs {
   /// design.
   [[nodiscard]] std::vector<sweep::Pareto::Point> pareto() const { return pareto_.points(); }
   [[nodiscard]] const DemandCounts& demands_met() const { return demands_met_; }
-  [[nodiscard]] const DesignsAsked& asked() const { return asked_; }
+  [[nodiscard]] const DesignsRequest& asked() const { return asked_; }
 
   void store(sweep::Writer& writer) const;
   void load(sweep::Reader& reader);
@@ -116,7 +116,7 @@ class Designs {
   /// The quantile of a result in the row of a design.
   [[nodiscard]] double level_of(std::size_t result) const;
 
-  DesignsAsked asked_;
+  DesignsRequest asked_;
   DesignCounts counts_;
   std::map<Key, DesignRow> rows_;
   std::map<std::uint64_t, Open> open_;  // by number

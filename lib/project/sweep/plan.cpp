@@ -159,16 +159,16 @@ sweep::Space Planning::space() {
 
 }  // namespace
 
-std::vector<std::size_t> SweepPlan::beside_inputs() const {
-  std::vector<std::size_t> beside;
+std::vector<std::size_t> SweepPlan::output_columns() const {
+  std::vector<std::size_t> columns_only;
   for (std::size_t k = 0; k < requested().size(); ++k) {
-    if (input_named(inputs, columns[k].name) == inputs.end()) beside.push_back(k);
+    if (input_named(inputs, columns[k].name) == inputs.end()) columns_only.push_back(k);
   }
-  return beside;
+  return columns_only;
 }
 
 std::vector<std::size_t> SweepPlan::kept_results() const {
-  std::vector<std::size_t> kept = beside_inputs();
+  std::vector<std::size_t> kept = output_columns();
   kept.push_back(columns.size());
   kept.push_back(columns.size() + 1);
   return kept;

@@ -23,7 +23,7 @@ struct SweepPlan {
   }
   /// The columns of a table of points in addition to the inputs, as indices of the results: a result that is an input
   /// is omitted.
-  [[nodiscard]] std::vector<std::size_t> beside_inputs() const;
+  [[nodiscard]] std::vector<std::size_t> output_columns() const;
   /// The same, followed by the two columns of the overall verdict.
   [[nodiscard]] std::vector<std::size_t> kept_results() const;
   /// The values of all inputs at a point.

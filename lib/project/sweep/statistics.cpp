@@ -40,8 +40,8 @@ std::vector<double> row_of(const SolvedBlock& block, std::size_t results, std::s
 }
 
 /// Of points if each is a design of its own.
-DesignsAsked asked_of(std::size_t results, std::size_t verdicts, std::uint64_t samples, const Keep& keep) {
-  DesignsAsked asked{.samples = samples, .results = results, .modes = verdicts / 2 - 1, .quantile = keep.quantile};
+DesignsRequest asked_of(std::size_t results, std::size_t verdicts, std::uint64_t samples, const Keep& keep) {
+  DesignsRequest asked{.samples = samples, .results = results, .modes = verdicts / 2 - 1, .quantile = keep.quantile};
   if (samples < 2) return asked;
   for (const Objective& objective : keep.objectives) asked.columns.push_back(objective.column);
   asked.aims = aims_of(keep);

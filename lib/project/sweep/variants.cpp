@@ -8,9 +8,9 @@
 #include "lib/project/solving/body_facts.hpp"
 #include "lib/project/solving/elements.hpp"
 #include "lib/project/solving/solve.hpp"
-#include "lib/project/sweep/points/alone.hpp"
 #include "lib/project/sweep/points/column_step.hpp"
 #include "lib/project/sweep/points/constant.hpp"
+#include "lib/project/sweep/points/single_step.hpp"
 #include "lib/sweep/nan.hpp"
 
 #include <algorithm>
@@ -223,7 +223,7 @@ bool Variants::find_kernels(bool by_bodies) {
     if (!is_affected) kernel = ConstantStep::of(step, referred_, points_);
     if (!kernel && calculator != nullptr) kernel = ColumnStep::of(*calculator, referred_, points_);
     brings = brings || kernel != nullptr;
-    if (!kernel) kernel = AloneStep::of(step, wanted_, referred_, points_);
+    if (!kernel) kernel = SingleStep::of(step, wanted_, referred_, points_);
     if (!kernel || !bodies_.take(step, kernel.get())) return false;
     kernels_.push_back(std::move(kernel));
   }
@@ -239,24 +239,24 @@ bool Variants::add_body_step(Step& step) {
     kernels_.push_back(std::make_unique<EarlierStep>());
     return true;
   }
-  std::vector<AloneBody::Member> members;
+  std::vector<SingleBody::Member> members;
   for (Step* const one : body) {
-    AloneBody::Member& member = members.emplace_back();
-    member.step = AloneStep::of_body(*one, body, wanted_, referred_, points_);
+    SingleBody::Member& member = members.emplace_back();
+    member.step = SingleStep::of_body(*one, body, wanted_, referred_, points_);
     if (!member.step) return false;
     const auto is_it = [&](std::size_t i) { return project_.steps[i].get() == one; };
     const auto place = static_cast<std::size_t>(std::ranges::find_if(project_.order, is_it) - project_.order.begin());
-    if (one != &step) member.modes = [this, place]() -> AloneBody::Modes& { return modes_[place]; };
+    if (one != &step) member.modes = [this, place]() -> SingleBody::Modes& { return modes_[place]; };
   }
-  kernels_.push_back(std::make_unique<AloneBody>(std::move(members), [this] { return hand_out_in_bodies(); }));
+  kernels_.push_back(std::make_unique<SingleBody>(std::move(members), [this] { return hand_out_in_bodies(); }));
   return true;
 }
 
-AloneBody::Handed Variants::hand_out_in_bodies() {
+SingleBody::Handed Variants::hand_out_in_bodies() {
   std::vector<Issue> issues;
   const bool again = hand_out_sizes(project_, issues) || hand_out_facts(project_, issues);
-  if (has_errors(issues)) return AloneBody::Handed::contradicts;
-  return again ? AloneBody::Handed::again : AloneBody::Handed::settled;
+  if (has_errors(issues)) return SingleBody::Handed::contradicts;
+  return again ? SingleBody::Handed::again : SingleBody::Handed::settled;
 }
 
 void Variants::solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {

@@ -5,8 +5,8 @@
 #include "lib/project/sweep/axes.hpp"
 #include "lib/project/sweep/body_columns.hpp"
 #include "lib/project/sweep/columns.hpp"
-#include "lib/project/sweep/points/alone_body.hpp"
 #include "lib/project/sweep/points/point_step.hpp"
+#include "lib/project/sweep/points/single_body.hpp"
 #include "lib/sweep/function.hpp"
 
 #include <memory>
@@ -50,7 +50,7 @@ class Variants final : public sweep::Function {
   bool find_kernels(bool by_bodies);
   bool find_referred();
   bool add_body_step(Step& step);
-  AloneBody::Handed hand_out_in_bodies();
+  SingleBody::Handed hand_out_in_bodies();
   [[nodiscard]] std::size_t batch() const;
   void read_verdicts(std::span<double* const> out, std::size_t n);
   void find_modes_of_columns();

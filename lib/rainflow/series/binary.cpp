@@ -100,7 +100,7 @@ class RowReader final : public Reader {
       return at_byte(end, say("byte {1}: the file ends after {2} of {3} rows", byte,
                               std::to_string(done_ + got / row_bytes_), std::to_string(rows_.rows)));
     return at_byte(end, say("byte {1}: the file ends within a number of {2} bytes", byte, std::to_string(rows_.width)),
-                   say("is it of the other width, float64 or float32?"));
+                   say("does it have the other width, float64 or float32?"));
   }
 
   std::unique_ptr<Source> source_;
@@ -150,7 +150,7 @@ std::optional<Fault> choose_column(Rows& rows, const std::string& column) {
     return std::nullopt;
   }
   const std::string columns = std::to_string(rows.columns);
-  if (column.empty()) return at_byte(0, say("the array has {1} columns: say which, by its number from 1", columns));
+  if (column.empty()) return at_byte(0, say("the array has {1} columns: state which, by its number from 1", columns));
   return at_byte(0, say("column '{1}' is not one of the array's {2}, counted from 1", column, columns));
 }
 
@@ -163,7 +163,7 @@ Outcome<Rows> rows_of(std::string_view header, const std::string& column) {
   rows.width = type == "'<f8'" ? sizeof(double) : sizeof(float);
   const std::string_view text = entry(header, "shape");
   const auto numbers = shape_of(text);
-  if (!numbers) return at_byte(0, say("the shape {1}) of the array is none", text));
+  if (!numbers) return at_byte(0, say("'{1})' is not a shape of an array", text));
   const auto& shape = *numbers;
   if (shape.empty() || shape.size() > 2)
     return at_byte(0, say("the array has {1} dimensions; one or two are read", std::to_string(shape.size())));

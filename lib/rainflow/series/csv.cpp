@@ -102,7 +102,7 @@ std::optional<Fault> CsvReader::find_column(const std::vector<std::string>& fiel
   const std::string line = std::to_string(lines_.number()), count = std::to_string(fields.size());
   if (form_.column.empty()) {
     if (fields.size() == 1) return std::nullopt;
-    return at_line(say("line {1} has {2} columns: say which, by its name or its number from 1", line, count),
+    return at_line(say("line {1} has {2} columns: state which, by its name or its number from 1", line, count),
                    separator_ == ',' ? say("separate the columns with ';' if a comma is the decimal mark") : Message{});
   }
   const auto number = place_in_text(form_.column);

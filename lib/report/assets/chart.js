@@ -4,7 +4,7 @@ for (const box of document.querySelectorAll(".chart")) {
   const picture = box.querySelector(".picture"), svg = picture.querySelector("svg");
   const here = svg.querySelector("[data-here]"), count = data.points.length;
   const xs = data.x.map((v) => v / 10), ys = data.y.map((v) => v / 10);
-  const texts = data.told.map(([words, list]) => {
+  const texts = data.readout.map(([words, list]) => {
     const all = list.split(" ");
     return words.length ? all.map((n) => words[n] ?? n) : all.map((text) => text.replace(/^-/, "−"));
   });
@@ -14,7 +14,7 @@ for (const box of document.querySelectorAll(".chart")) {
     at = k;
     here.setAttribute("transform", `translate(${xs[k]} ${ys[k]})`);
     here.setAttribute("visibility", "visible");
-    for (const cell of box.querySelectorAll("[data-told]")) cell.textContent = texts[cell.dataset.told][k];
+    for (const cell of box.querySelectorAll("[data-readout]")) cell.textContent = texts[cell.dataset.readout][k];
     for (const place of box.querySelectorAll("[data-point]")) place.textContent = data.points[k];
     box.querySelector("[data-verdict]").textContent = texts[texts.length - 1][k];
   };
@@ -47,7 +47,7 @@ for (const box of document.querySelectorAll(".chart")) {
   };
 
   if (count === 0) continue;
-  box.querySelector(".told").hidden = false;
+  box.querySelector(".readout").hidden = false;
   picture.tabIndex = 0;
   picture.addEventListener("pointermove", pointed);
   picture.addEventListener("pointerdown", pointed);

@@ -277,14 +277,14 @@ Band Pages::inputs_in_columns() {
 
 /// Inputs at the left, at the right the diagrams.
 Band Pages::inputs_and_diagrams() {
-  constexpr double beside_tall = 150.0, beside_others = 128.0, alone = 90.0;  // mm
+  constexpr double next_to_tall = 150.0, next_to_others = 128.0, alone = 90.0;  // mm
   if (are_diagrams_shown_ && further_.empty()) return inputs_in_columns();
   const bool has_tall = !further_.empty() && has_diagrams(*further_.front().figure);
-  const std::size_t beside = has_tall ? 1 : 2;
-  const double height = has_tall ? beside_tall : further_.size() > 1 ? beside_others : alone;
+  const std::size_t per_row = has_tall ? 1 : 2;
+  const double height = has_tall ? next_to_tall : further_.size() > 1 ? next_to_others : alone;
   Panel inputs{say("Input data"), {}, {inputs_table(project_, rows_, height)}};
   Panel figures{say("Diagrams"), {}, {}};
-  for (std::size_t i = 0; i < std::min(beside, further_.size()); ++i) add_figure(further_[i], true, figures);
+  for (std::size_t i = 0; i < std::min(per_row, further_.size()); ++i) add_figure(further_[i], true, figures);
   rest_ = page_height - height;
   Band band{{half, {std::move(inputs)}}};
   if (!figures.blocks.empty()) band.push_back({other_half, {std::move(figures)}});

@@ -46,7 +46,7 @@ View without_blanks(View text) {
 }
 
 /// A value that needs no quotation marks before `next`: a solidus would become a part of it.
-bool stands_bare(View value, View next) {
+bool needs_no_quotes(View value, View next) {
   return !value.empty() && value.find_first_of(" \t\n\r\f\"'`=<>") == View::npos && !next.starts_with('/');
 }
 
@@ -62,7 +62,7 @@ void append_start(std::string& out, View tag) {
     if ((name == "class" && value.empty()) || name == "xmlns") {
       out += before.substr(0, before.size() - name.size() - 1);
     } else {
-      const View mark = stands_bare(value, tag) ? "" : "\"";
+      const View mark = needs_no_quotes(value, tag) ? "" : "\"";
       out.append(before).append("=").append(mark).append(value).append(mark);
     }
   }

@@ -133,7 +133,7 @@ std::string wide(const Table& table, const std::vector<bool>& numeric) {
 std::string table(const Table& table, const std::string& caption) {
   const std::vector<bool> numeric = numeric_columns(table);
   const bool narrow = is_narrow(table, numeric);
-  std::string out = (narrow ? "<div class=\"table beside\">" : "<div class=\"table\">") + caption;
+  std::string out = (narrow ? "<div class=\"table half\">" : "<div class=\"table\">") + caption;
   if (!narrow && table.head.size() < many_columns) {
     out += wide(table, numeric);
   } else {

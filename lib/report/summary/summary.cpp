@@ -73,22 +73,22 @@ double highest_utilisation(const std::vector<Component>& components) {
 }
 
 std::string counts_of(const account::Conclusion& all, const std::vector<Component>& components) {
-  const auto told = [&](Group group) { return std::to_string(all.count(group)); };
+  const auto count_of = [&](Group group) { return std::to_string(all.count(group)); };
   const std::size_t outside = all.count(Group::outside_scope), needs = all.count(Group::needs_input);
   if (all.headline == account::Headline::fail) {
     const std::size_t total = all.modes() - all.count(Group::not_considered);
-    std::string text = say(all.count(Group::fails) == 1 ? "{1} of {2} fails" : "{1} of {2} fail", told(Group::fails),
-                           std::to_string(total))
+    std::string text = say(all.count(Group::fails) == 1 ? "{1} of {2} fails" : "{1} of {2} fail",
+                           count_of(Group::fails), std::to_string(total))
                            .text();
     if (needs > 0)
-      text += ", " + say(needs == 1 ? "{1} needs input" : "{1} need input", told(Group::needs_input)).text();
-    if (outside > 0) text += ", " + say("{1} outside the scope", told(Group::outside_scope)).text();
-    return text + ", " + say("{1} pass", told(Group::passes)).text();
+      text += ", " + say(needs == 1 ? "{1} needs input" : "{1} need input", count_of(Group::needs_input)).text();
+    if (outside > 0) text += ", " + say("{1} outside the scope", count_of(Group::outside_scope)).text();
+    return text + ", " + say("{1} pass", count_of(Group::passes)).text();
   }
-  std::string text = say("{1} pass", told(Group::passes)).text();
+  std::string text = say("{1} pass", count_of(Group::passes)).text();
   if (needs > 0 && all.headline == account::Headline::no_solution)
-    text += ", " + say("{1} have no result", told(Group::needs_input)).text();
-  if (all.count(Group::accepted) > 0) text += ", " + say("{1} accepted", told(Group::accepted)).text();
+    text += ", " + say("{1} have no result", count_of(Group::needs_input)).text();
+  if (all.count(Group::accepted) > 0) text += ", " + say("{1} accepted", count_of(Group::accepted)).text();
   const double most = highest_utilisation(components);
   return most < 0.0 ? text : text + ", " + say("highest utilisation {1}", utilisation_text(most)).text();
 }
@@ -101,7 +101,7 @@ std::string title_of(const Project& project, const account::Conclusion& all, con
 std::string governing_step(const Modes& sorted, const Project& project) {
   Modes own = sorted;
   std::erase_if(own, [](const Mode& mode) { return !is_told(mode); });
-  if (const auto mode = telling(own)) return mode->step;
+  if (const auto mode = explaining(own)) return mode->step;
   return sorted.empty() ? (project.steps.empty() ? "" : project.steps.front()->name()) : sorted.front().step;
 }
 

@@ -38,7 +38,7 @@ Table chosen_table(const Best& best) {
 }
 
 /// The reason why a neighbour of the best design is not better.
-Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Message& lack) {
+Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Message& reason) {
   using Outcome = sweep::Neighbour::Outcome;
   if (neighbour.outcome == Outcome::better) return say("better: the search ended before it");
   if (neighbour.outcome == Outcome::no_better) return say("no better");
@@ -48,11 +48,11 @@ Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Messag
   if (best.quantile && best.demands[neighbour.broken].kind == sweep::Constraint::Kind::is_one && std::isfinite(value))
     return say("violates '{1}' in {2} % of the samples", demand,
                format_number(value * (1.0 - *best.quantile) * 100, 3));
-  if (std::isfinite(value) && !lack.empty())
-    return say("violates '{1}' ({2}): {3}", demand, format_number(value, 4), lack);
+  if (std::isfinite(value) && !reason.empty())
+    return say("violates '{1}' ({2}): {3}", demand, format_number(value, 4), reason);
   if (std::isfinite(value)) return say("violates '{1}' ({2})", demand, format_number(value, 4));
-  if (lack.empty()) return say("violates '{1}' ({2})", demand, say("not available"));
-  return lack;
+  if (reason.empty()) return say("violates '{1}' ({2})", demand, say("not available"));
+  return reason;
 }
 
 Table neighbour_table(const Best& best) {
@@ -61,7 +61,7 @@ Table neighbour_table(const Best& best) {
     const sweep::Neighbour& neighbour = best.optimum.neighbours[i];
     const SweptInput& input = best.inputs[best.chosen[neighbour.variable]];
     table.rows.push_back({input.name, written(input, neighbour.point[neighbour.variable]),
-                          in_unit_of(neighbour.outputs[0], best.unit), lot_of(best, neighbour, best.lacks[i])});
+                          in_unit_of(neighbour.outputs[0], best.unit), lot_of(best, neighbour, best.reasons[i])});
   }
   return table;
 }
@@ -93,7 +93,7 @@ std::vector<Block> best_blocks(const Best& best) {
         Paragraph{say("{1} = {2}: {3}", best.objective, value, reach_of(optimum)), Paragraph::Tone::plain});
   } else {
     const std::string worst = optimum.worst < best.demands.size() ? best.demands[optimum.worst].text : best.objective;
-    const Message broken = best.lack.empty() ? say("'{1}'", worst) : say("'{1}' ({2})", worst, best.lack);
+    const Message broken = best.reason.empty() ? say("'{1}'", worst) : say("'{1}' ({2})", worst, best.reason);
     blocks.emplace_back(
         Paragraph{say("no design satisfies the constraints; the nearest violates {1}; {2}", broken, reach_of(optimum)),
                   Paragraph::Tone::warning});
@@ -110,11 +110,11 @@ std::vector<Block> best_blocks(const Best& best) {
 }
 
 std::vector<Block> seek_blocks(const project::SoughtValue& sought) {
-  using Kind = sweep::Meeting::Kind;
+  using Kind = sweep::Solution::Kind;
   std::vector<Block> blocks;
   const auto shown = [&](double si) { return written(sought.input, si); };
   const std::string unit = sought.unit.empty() ? "-" : sought.unit;
-  if (sought.sought.meetings.empty()) {
+  if (sought.sought.solutions.empty()) {
     blocks.emplace_back(Paragraph{std::isnan(sought.sought.nearest)
                                       ? say("no value of {1} has a result at all", sought.input.name)
                                       : say("no value of {1} gives {2}; {3} comes nearest, with {4}", sought.input.name,
@@ -124,12 +124,12 @@ std::vector<Block> seek_blocks(const project::SoughtValue& sought) {
     return blocks;
   }
   Table table{say("Solution"), {say("{1}", sought.input.name), say("result"), say("how")}, {}};
-  for (const sweep::Meeting& meeting : sought.sought.meetings) {
-    const Message how = meeting.kind == Kind::crossing   ? say("goes through")
-                        : meeting.kind == Kind::touching ? say("touches")
-                        : meeting.kind == Kind::stretch  ? say("stays up to {1}", shown(meeting.to))
-                                                         : say("leaps over it");
-    table.rows.push_back({shown(meeting.at), in_unit_of(meeting.value, unit), how});
+  for (const sweep::Solution& solution : sought.sought.solutions) {
+    const Message how = solution.kind == Kind::crossing   ? say("crosses it")
+                        : solution.kind == Kind::touching ? say("touches it")
+                        : solution.kind == Kind::stretch  ? say("equals it up to {1}", shown(solution.to))
+                                                          : say("jumps across it");
+    table.rows.push_back({shown(solution.at), in_unit_of(solution.value, unit), how});
   }
   blocks.emplace_back(std::move(table));
   return blocks;

@@ -58,9 +58,9 @@ Chart chart_of(const Project& project, const SweepPlan& plan, const SolvedPoints
   chart.points = points.numbers;
   chart.command = "loadpath run " + (project.file == "-" ? "FILE" : project.file) + " --point ";
   for (std::size_t k = 0; k < plan.inputs.size(); ++k)
-    chart.told.push_back({plan.inputs[k].name, plan.inputs[k].unit, points.inputs[k], plan.inputs[k].words});
-  for (const std::size_t k : plan.beside_inputs())
-    chart.told.push_back({plan.columns[k].name, plan.columns[k].unit, points.results[k]});
+    chart.readout.push_back({plan.inputs[k].name, plan.inputs[k].unit, points.inputs[k], plan.inputs[k].words});
+  for (const std::size_t k : plan.output_columns())
+    chart.readout.push_back({plan.columns[k].name, plan.columns[k].unit, points.results[k]});
   Chart::Column used{say("utilisation").text(), "-", points.results[asked + 1]}, said{say("verdict").text(), "", {}};
   std::map<std::size_t, std::size_t> modes;  // number of a mode in the chart
   std::map<std::string, std::size_t> words;
@@ -85,8 +85,8 @@ Chart chart_of(const Project& project, const SweepPlan& plan, const SolvedPoints
                                                        : word(say("no result{1}", of_mode).text()));
     chart.dots.push_back(dot);
   }
-  chart.told.push_back(std::move(used));
-  chart.told.push_back(std::move(said));
+  chart.readout.push_back(std::move(used));
+  chart.readout.push_back(std::move(said));
   return chart;
 }
 

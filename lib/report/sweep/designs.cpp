@@ -43,8 +43,8 @@ std::string described(const SweepPlan& plan, const SweepStatistics& found, const
   std::string all;
   for (const std::size_t i : chosen_inputs(plan))
     all += (all.empty() ? "" : ", ") + plan.inputs[i].name + " = " + written(plan.inputs[i], values[i]);
-  for (const std::size_t k : plan.beside_inputs()) {
-    const bool is_first = k == plan.beside_inputs().front();
+  for (const std::size_t k : plan.output_columns()) {
+    const bool is_first = k == plan.output_columns().front();
     if (is_first)
       all += (all.empty() ? "" : ", ") + plan.columns[k].name + " = " +
              format_quantity(row.results[k], plan.columns[k].unit, 4);
@@ -57,7 +57,7 @@ Cell number_or_dash(double value) { return std::isnan(value) ? Cell(std::string(
 std::vector<Message> heads(const SweepPlan& plan, const SweepStatistics& found) {
   std::vector<Message> head;
   for (const std::size_t i : chosen_inputs(plan)) head.push_back(say("{1}", plan.inputs[i].name));
-  for (const std::size_t k : plan.beside_inputs()) head.push_back(say("{1}", plan.columns[k].name));
+  for (const std::size_t k : plan.output_columns()) head.push_back(say("{1}", plan.columns[k].name));
   if (!scatters(found)) {
     for (const Message& last : {say("verdict"), say("utilisation"), say("point")}) head.push_back(last);
     return head;
@@ -77,7 +77,7 @@ std::vector<Cell> cells_of(const SweepPlan& plan, const SweepStatistics& found, 
   std::vector<Cell> cells;
   const std::vector<double> values = values_of(plan, found, row.design);
   for (const std::size_t i : chosen_inputs(plan)) cells.emplace_back(written(plan.inputs[i], values[i]));
-  for (const std::size_t k : plan.beside_inputs()) {
+  for (const std::size_t k : plan.output_columns()) {
     const std::string& unit = plan.columns[k].unit;
     cells.emplace_back(Quantity{row.results[k], unit.empty() ? std::string("-") : unit, 4});
   }
@@ -218,12 +218,12 @@ Table front_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
   const std::size_t before = scatters(found) ? 0 : plan.inputs.size();  // values before the results
   Table table{caption_of_front(found, front.size()), {}, {}};
   for (const std::size_t i : chosen_inputs(plan)) table.head.push_back(say("{1}", plan.inputs[i].name));
-  for (const std::size_t k : plan.beside_inputs()) table.head.push_back(say("{1}", plan.columns[k].name));
+  for (const std::size_t k : plan.output_columns()) table.head.push_back(say("{1}", plan.columns[k].name));
   for (std::size_t i = 0; i < std::min(front.size(), most_in_front); ++i) {
     const std::vector<double> values = values_of(plan, found, front[i].index);
     std::vector<Cell> cells;
     for (const std::size_t k : chosen_inputs(plan)) cells.emplace_back(written(plan.inputs[k], values[k]));
-    for (const std::size_t k : plan.beside_inputs()) {
+    for (const std::size_t k : plan.output_columns()) {
       const std::string& unit = plan.columns[k].unit;
       cells.emplace_back(Quantity{front[i].values[before + k], unit.empty() ? std::string("-") : unit, 4});
     }
@@ -238,8 +238,8 @@ std::vector<Block> sweep_answer(const Project& project, const SweepPlan& plan, c
   blocks.emplace_back(plain(count_of_designs(plan, found)));
   const std::vector<DesignRow> rows = designs.rows();
   const bool any = !rows.empty() && rows.front().tally.passing == rows.front().tally.samples;
-  if (any && !plan.beside_inputs().empty())
-    blocks.emplace_back(plain("Least " + plan.columns[plan.beside_inputs().front()].name +
+  if (any && !plan.output_columns().empty())
+    blocks.emplace_back(plain("Least " + plan.columns[plan.output_columns().front()].name +
                               " of those that always pass: " + described(plan, found, rows.front())));
   blocks.emplace_back(design_table(plan, found, most_in_answer));
   const std::uint64_t valid = found.design_counts().valid();

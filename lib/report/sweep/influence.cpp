@@ -105,7 +105,7 @@ Table budget_table(const Influence& influence, std::size_t k) {
 Table sobol_table(const Influence& influence, std::size_t k) {
   const sweep::SobolIndices& indices = influence.sobol[k];
   Table table{say("{1}: Sobol indices, {2} rows", influence.names[k], std::to_string(indices.rows)),
-              {say("input"), say("alone"), say("within"), say("with all it acts with"), say("within")},
+              {say("input"), say("alone"), say("within"), say("with all interactions"), say("within")},
               {}};
   for (std::size_t i = 0; i < indices.inputs.size(); ++i) {
     const sweep::SobolIndex& index = indices.inputs[i];

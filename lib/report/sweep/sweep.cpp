@@ -128,7 +128,7 @@ std::vector<Cell> row_of_point(const SweepPlan& plan, std::uint64_t index, const
   std::vector<Cell> row{number(index)};
   const std::size_t inputs = plan.inputs.size();
   for (std::size_t i = 0; i < inputs; ++i) row.emplace_back(written(plan.inputs[i], values[i]));
-  for (const std::size_t k : plan.beside_inputs())
+  for (const std::size_t k : plan.output_columns())
     row.emplace_back(quantity(values[inputs + k], plan.columns[k].unit, 5));
   return row;
 }
@@ -136,7 +136,7 @@ std::vector<Cell> row_of_point(const SweepPlan& plan, std::uint64_t index, const
 Table table_of_points(const SweepPlan& plan, Message caption) {
   Table table{std::move(caption), {say("point")}, {}};
   for (const SweptInput& input : plan.inputs) table.head.push_back(say("{1}", input.name));
-  for (const std::size_t k : plan.beside_inputs()) table.head.push_back(say("{1}", plan.columns[k].name));
+  for (const std::size_t k : plan.output_columns()) table.head.push_back(say("{1}", plan.columns[k].name));
   return table;
 }
 

@@ -95,10 +95,10 @@ Fault not_definite(const Matrix& R, std::size_t i, const std::vector<std::string
     return refused(
         say("the correlations of {1} contradict those of the others: the matrix is not positive definite", names[i]));
   }
-  return refused(
-      say("the correlation of {1} and {2} contradicts the others: the matrix is not positive definite",
-          names[nearest->with], names[i]),
-      say("with the others as they are it lies between {1} and {2}", number(nearest->low), number(nearest->high)));
+  return refused(say("the correlation of {1} and {2} contradicts the others: the matrix is not positive definite",
+                     names[nearest->with], names[i]),
+                 say("with the other correlations unchanged it must be between {1} and {2}", number(nearest->low),
+                     number(nearest->high)));
 }
 
 /// y = y * own.

@@ -141,7 +141,7 @@ Message refusal(const Law& law) {
   if (!refused.empty()) return refused;
   const Distribution made(law);
   for (const double reached : {made.of_normal(-37.0), made.of_normal(37.0), made.mean(), made.sd()}) {
-    if (!(std::abs(reached) < 1e300)) return say("these parameters reach values beyond what numbers can hold");
+    if (!(std::abs(reached) < 1e300)) return say("these parameters give values outside the range of numbers");
   }
   return {};
 }

@@ -37,7 +37,7 @@ class Seeker {
   [[nodiscard]] Look edge(Look there, double not_there);
   [[nodiscard]] Look lowest(Look left, Look middle, Look right);
 
-  void add(Meeting::Kind kind, const Look& look, double within);
+  void add(Solution::Kind kind, const Look& look, double within);
   void add_stretch(const Look& first, const Look& last);
   void add_between(const Look& left, const Look& right);
   void add_touching(const Look& left, const Look& middle, const Look& right);
@@ -97,13 +97,13 @@ std::vector<Look> Seeker::over_the_range() {
   return all;
 }
 
-void Seeker::add(Meeting::Kind kind, const Look& look, double within) {
-  sought.meetings.push_back({kind, look.x, look.x, goal.target + look.rest, within});
+void Seeker::add(Solution::Kind kind, const Look& look, double within) {
+  sought.solutions.push_back({kind, look.x, look.x, goal.target + look.rest, within});
 }
 
 void Seeker::add_stretch(const Look& first, const Look& last) {
-  add(first.x == last.x ? Meeting::Kind::crossing : Meeting::Kind::stretch, first, 0.0);
-  sought.meetings.back().to = last.x;
+  add(first.x == last.x ? Solution::Kind::crossing : Solution::Kind::stretch, first, 0.0);
+  sought.solutions.back().to = last.x;
 }
 
 /// A root or a leap between two places where the signs differ.
@@ -123,7 +123,7 @@ void Seeker::add_between(const Look& left, const Look& right) {
   }
   if (!is_there(nearest)) return;
   const bool is_root = std::abs(nearest.rest) <= negligible * std::abs(left.rest - right.rest);
-  add(is_root ? Meeting::Kind::crossing : Meeting::Kind::leap, nearest, high - low);
+  add(is_root ? Solution::Kind::crossing : Solution::Kind::leap, nearest, high - low);
 }
 
 /// The lowest place of the sections between left and right, by the golden section: it needs no smoothness.
@@ -149,7 +149,7 @@ void Seeker::add_touching(const Look& left, const Look& middle, const Look& righ
     add_between(left, bottom);
     add_between(bottom, right);
   } else if (std::abs(bottom.rest) <= negligible * (std::abs(left.rest) + std::abs(right.rest))) {
-    add(Meeting::Kind::touching, bottom, std::sqrt(std::numeric_limits<double>::epsilon()) * (right.x - left.x));
+    add(Solution::Kind::touching, bottom, std::sqrt(std::numeric_limits<double>::epsilon()) * (right.x - left.x));
   }
 }
 

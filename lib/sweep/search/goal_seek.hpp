@@ -17,7 +17,7 @@ struct Goal {
 };
 
 /// A point where the output equals the target, or jumps across it.
-struct Meeting {
+struct Solution {
   enum class Kind {
     crossing,  // to rounding: `within` is the final width of the bracket
     touching,  // without crossing; to a millionth of the neighbouring deviation of the output from the target
@@ -31,9 +31,9 @@ struct Meeting {
 };
 
 struct Sought {
-  std::vector<Meeting> meetings;  // in order; two closer than the points apart may be missed
-  double nearest = 0.0;           // place nearest to the target; NaN if there is no value
-  double value = 0.0;             // there
+  std::vector<Solution> solutions;  // in order; two closer than the points apart may be missed
+  double nearest = 0.0;             // place nearest to the target; NaN if there is no value
+  double value = 0.0;               // there
   std::uint64_t evaluations = 0;
 };
 

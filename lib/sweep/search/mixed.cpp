@@ -122,8 +122,8 @@ void MixedSearch::each_combination(std::uint64_t count, Trial& best) {
 
 /// Other valleys of the continuous variables, with the stock of the best and of its neighbours.
 bool MixedSearch::widen(Trial& best) {
-  const Standing before_it = best.standing;
-  auto stocks = beside(trials.problem().variables, best.at, 1);
+  const PointRank before_it = best.standing;
+  auto stocks = neighbours_of(trials.problem().variables, best.at, 1);
   stocks.insert(stocks.begin(), best.at);
   for (const Places& stock : stocks) spread_out(stock, best);
   return better(best.standing, before_it);
@@ -161,7 +161,7 @@ Trial MixedSearch::climb(Trial from) {
 
 bool MixedSearch::step(Trial& current) {
   const auto& variables = trials.problem().variables;
-  return step_to(current, trials_at(beside(variables, current.at, 2))) ||
+  return step_to(current, trials_at(neighbours_of(variables, current.at, 2))) ||
          step_to(current, trials_at(across(variables, current.at)));
 }
 

@@ -20,7 +20,7 @@ std::vector<double> others(const Variable& variable, double place, int reach) {
 
 }  // namespace
 
-std::vector<Places> beside(const std::vector<Variable>& variables, const Places& at, int reach) {
+std::vector<Places> neighbours_of(const std::vector<Variable>& variables, const Places& at, int reach) {
   std::vector<Places> all;
   for (std::size_t i = 0; i < at.size(); ++i) {
     for (const double place : others(variables[i], at[i], reach)) {

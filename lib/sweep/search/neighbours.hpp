@@ -6,7 +6,7 @@
 namespace loadpath::sweep {
 
 /// One discrete variable changed: by one and by up to `reach` places in both directions; words to every other word.
-[[nodiscard]] std::vector<Places> beside(const std::vector<Variable>& variables, const Places& at, int reach);
+[[nodiscard]] std::vector<Places> neighbours_of(const std::vector<Variable>& variables, const Places& at, int reach);
 
 /// Two discrete variables changed at once, each by one place or to every other word.
 [[nodiscard]] std::vector<Places> across(const std::vector<Variable>& variables, const Places& at);

@@ -9,7 +9,7 @@ double Variable::at(double place) const {
   return is_discrete() ? values[static_cast<std::size_t>(place)] : std::lerp(from, to, place);
 }
 
-bool better(const Standing& a, const Standing& b) {
+bool better(const PointRank& a, const PointRank& b) {
   if (a.missing != b.missing) return a.missing < b.missing;
   if (a.violation != b.violation) return a.violation < b.violation;
   return a.objective < b.objective;
@@ -30,8 +30,8 @@ double excess(const Problem& problem, const Constraint& constraint, std::span<co
   return excess(constraint, value);
 }
 
-Standing judge(const Problem& problem, std::span<const double> outputs) {
-  Standing standing;
+PointRank judge(const Problem& problem, std::span<const double> outputs) {
+  PointRank standing;
   for (const Constraint& constraint : problem.constraints) {
     const double by = excess(problem, constraint, outputs);
     if (std::isfinite(by)) {

@@ -46,7 +46,7 @@ struct Problem {
 using Places = std::vector<double>;
 
 /// The rank of a point in a search.
-struct Standing {
+struct PointRank {
   int missing = 0;         // constraints, and the objective, that are not finite
   double violation = 0.0;  // the sum by which utilisations exceed 1, and 1 for each flag that does not pass
   double objective = 0.0;  // less is better, whether it is minimised or maximised
@@ -55,10 +55,10 @@ struct Standing {
 };
 
 /// Whether a is better than b: feasible points by objective; before that by missing values, then by violation.
-[[nodiscard]] bool better(const Standing& a, const Standing& b);
+[[nodiscard]] bool better(const PointRank& a, const PointRank& b);
 
 /// The rank of a point with these outputs.
-[[nodiscard]] Standing judge(const Problem& problem, std::span<const double> outputs);
+[[nodiscard]] PointRank judge(const Problem& problem, std::span<const double> outputs);
 
 /// By how much a value of this output breaks it; 0 if it does not, infinity where the value is not finite.
 [[nodiscard]] double excess(const Constraint& constraint, double value);

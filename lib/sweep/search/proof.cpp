@@ -10,7 +10,7 @@ namespace loadpath::sweep {
 namespace {
 
 /// Better by more than rounding and the tolerance of descents.
-bool clearly_better(const Standing& a, const Standing& b) {
+bool clearly_better(const PointRank& a, const PointRank& b) {
   constexpr double least = 1e-9;
   if (!better(a, b)) return false;
   if (a.missing != b.missing) return true;
@@ -25,7 +25,7 @@ std::vector<double> values_at(const std::vector<Variable>& variables, const Plac
 }
 
 std::vector<Places> moved(const std::vector<Variable>& variables, const Places& at, double step) {
-  auto all = beside(variables, at, 1);
+  auto all = neighbours_of(variables, at, 1);
   for (std::size_t i = 0; i < at.size(); ++i) {
     for (const double by : {-step, step}) {
       const double place = std::clamp(at[i] + by, 0.0, 1.0);
@@ -49,7 +49,7 @@ class Prover {
     next.point = values_at(problem.variables, at);
     next.outputs = trials.outputs({&at, 1});
     next.broken = worst_broken(problem, next.outputs);
-    const Standing standing = judge(problem, next.outputs);
+    const PointRank standing = judge(problem, next.outputs);
     next.outcome = standing.allowed() ? Neighbour::Outcome::no_better : Neighbour::Outcome::breaks;
     if (clearly_better(standing, best.standing)) {
       next.outcome = Neighbour::Outcome::better;

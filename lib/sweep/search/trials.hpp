@@ -8,7 +8,7 @@ namespace loadpath::sweep {
 
 struct Trial {
   Places at;
-  Standing standing;
+  PointRank standing;
 };
 
 class Trials {

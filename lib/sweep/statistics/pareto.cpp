@@ -63,12 +63,12 @@ Pareto::Point* Pareto::place(std::uint64_t index, std::uint64_t equals) {
     else
       break;
   }
-  Point& told = place->second;
-  told.equals += equals;
-  if (!is_new && !is_better(index, told)) return nullptr;
-  told.index = index;
-  told.objectives = objectives_;
-  return &told;
+  Point& kept = place->second;
+  kept.equals += equals;
+  if (!is_new && !is_better(index, kept)) return nullptr;
+  kept.index = index;
+  kept.objectives = objectives_;
+  return &kept;
 }
 
 void Pareto::merge(const Pareto& other) {

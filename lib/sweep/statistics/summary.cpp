@@ -13,12 +13,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct Glance {
+struct PartialSums {
   double count, sum, min, max;
 };
 
 /// Over the finite values: how many, the sum of their distances from one of them, and the ends.
-LOADPATH_COLUMNS Glance glance_at(double from, const double* x, std::size_t n) {
+LOADPATH_COLUMNS PartialSums partial_sums(double from, const double* x, std::size_t n) {
   Lanes count{}, sum{}, min, max;
   min.fill(infinity);
   max.fill(-infinity);
@@ -63,7 +63,7 @@ Extreme load_extreme(Reader& reader) {
 bool Summary::add(std::uint64_t block, std::uint64_t first, std::span<const double> values) {
   const auto begin = std::find_if(values.begin(), values.end(), is_finite);
   const double from = begin == values.end() ? 0.0 : *begin;
-  const Glance seen = glance_at(from, values.data(), values.size());
+  const PartialSums seen = partial_sums(from, values.data(), values.size());
   const auto count = static_cast<std::uint64_t>(seen.count);
   if (!moments_.add(block, Moments(values, count, from, seen.sum))) return false;
   count_ += count;

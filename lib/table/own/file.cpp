@@ -108,7 +108,7 @@ bool OwnReader::is_new(const Row& row, const std::string& group, const Place& pl
     const auto [known, inserted] = names_.emplace(std::pair(group, name), row.name);
     if (inserted) continue;
     complain(place, key,
-             say("two rows of the project answer to the name '{1}': '{2}' and '{3}'", written, known->second, row.name),
+             say("two rows of the project match the name '{1}': '{2}' and '{3}'", written, known->second, row.name),
              say("take it out of one of them"));
     return false;
   }

@@ -100,8 +100,7 @@ void OwnReader::read_group(const Tree::Entry& entry) {
     if (!is_line(row.key)) {
       complain(row.place, key, say("the name of a row is one line"));
     } else if (row.value.type != Tree::Type::table) {
-      complain(row.place, key + "." + row.key, say("'{1}' is outside of a row", row.key),
-               say("a row is [{1}.NAME]", key));
+      complain(row.place, key + "." + row.key, say("'{1}' is outside a row", row.key), say("a row is [{1}.NAME]", key));
     } else if (series) {
       read_series(row);
     } else {

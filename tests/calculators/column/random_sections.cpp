@@ -229,10 +229,10 @@ TEST_SUITE("column random sections") {
 namespace {
 
 /// Largest deflection and moment of a bar under F with a moment F e at each end that may turn, and a bow of e_0.
-struct Bent {
+struct LoadedBeam {
   double deflection, moment;
 };
-Bent bent(double EI, double l, Ends ends, double F, double e, double e_0) {
+LoadedBeam bent(double EI, double l, Ends ends, double F, double e, double e_0) {
   constexpr int count = 48;
   Elements bar;
   bar.add(l, EI, 1.0, 1.0, count);
@@ -259,7 +259,7 @@ Bent bent(double EI, double l, Ends ends, double F, double e, double e_0) {
     held(freedom, freedom) = 1.0, load(freedom) = 0.0;
   }
   const Eigen::VectorXd v = held.partialPivLu().solve(load);
-  Bent most{0, 0};
+  LoadedBeam most{0, 0};
   const double h = l / count;
   for (Eigen::Index i = 0; i < count; ++i) {
     const double curvature = (-6 * v(2 * i) - 4 * h * v(2 * i + 1) + 6 * v(2 * i + 2) - 2 * h * v(2 * i + 3)) / (h * h);
@@ -287,7 +287,7 @@ TEST_SUITE("column random eccentric bars") {
       in.P = from_si<Force>(F);
       CAPTURE(number);
       const column::AxisResult y = solve(in).axes[0];
-      const Bent elements = bent(EI, l, in.ends, F, e, e_0);
+      const LoadedBeam elements = bent(EI, l, in.ends, F, e, e_0);
       if (held) {  // the hinged bar of the effective length is an upper bound of one whose fixed end carries a part
         CHECK(F * (e + in_si(y.w)) > 0.999 * elements.moment);
       } else {

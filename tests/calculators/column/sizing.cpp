@@ -183,11 +183,11 @@ TEST_SUITE("column walls") {
                      lines)
               .find(what) != std::string::npos);
     };
-    says("d = \"60 mm\"\nt_w = \"30 mm\"\n", "the walls must leave a hollow");
+    says("d = \"60 mm\"\nt_w = \"30 mm\"\n", "the walls must enclose a hollow");
     says("d = \"60 mm\"\nt_w = \"5 mm\"\nd_bore = \"50 mm\"\n", "both give the wall");
     says("d = \"60 mm\"\nt_w = \"5 mm\"\nkind = \"solid\"\n", "omit kind");
     says("d = \"60 mm\"\nd_bore = \"50 mm\"\nkind = \"rolled_I\"\n", "omit kind");
-    says("h = \"60 mm\"\nb = \"40 mm\"\nt_w = \"20 mm\"\n", "the walls must leave a hollow");
+    says("h = \"60 mm\"\nb = \"40 mm\"\nt_w = \"20 mm\"\n", "the walls must enclose a hollow");
     says("h = \"60 mm\"\nb = \"40 mm\"\nt_f = \"5 mm\"\n", "t_f does not describe");
     says("h = \"60 mm\"\nb = \"40 mm\"\nt_w = \"5 mm\"\nr = \"5 mm\"\n", "sharp corners");
     says("h = \"60 mm\"\nb = \"40 mm\"\nt_w = \"5 mm\"\nkind = \"rolled_I\"\n", "omit kind");

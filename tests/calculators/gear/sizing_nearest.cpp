@@ -15,7 +15,7 @@ namespace {
 
 using namespace loadpath;
 using namespace loadpath::gear;
-using sizing::Lack;
+using sizing::Shortfall;
 
 constexpr auto solve = test::evaluated<PairSizing>;
 
@@ -43,7 +43,7 @@ std::vector<sizing::Found> all_of(const PairSizing::Input& in) {
       teeth.b = b * mm;
       if (!sizing::is_admissible(teeth)) break;
       all.push_back(sizing::rated(in, teeth));
-      if (!sizing::is_of_load(all.back().lack.failure)) break;
+      if (!sizing::is_of_load(all.back().shortfall.failure)) break;
     }
   }
   return all;
@@ -52,13 +52,14 @@ std::vector<sizing::Found> all_of(const PairSizing::Input& in) {
 void check_nearest(const PairSizing::Input& in) {
   std::vector<sizing::Found> all = all_of(in);
   REQUIRE(all.size() >= 10);
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.lack.less_than(b.lack); });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.shortfall.less_than(b.shortfall); });
   const auto r = solve(in);
   CHECK(r.found == 0.0);
   REQUIRE(r.rejected.size() == 10);
   for (std::size_t i = 0; i < 10; ++i) {
-    CHECK(r.rejected[i].u == all[i].lack.check);
-    CHECK(r.rejected[i].failure == all[i].lack.failure);
+    CHECK(r.rejected[i].u == all[i].shortfall.check);
+    CHECK(r.rejected[i].failure == all[i].shortfall.failure);
   }
 }
 
@@ -104,9 +105,9 @@ TEST_SUITE("gear sizing") {
           const double m = teeth.m_n / mm;
           for (const double b : {6.0 * m, 12.0 * m, 30.0 * m}) {
             teeth.b = b * mm;
-            const Lack lack = sizing::rated(in, teeth).lack;
-            CHECK(bound.at(m, b) <= lack.check);
-            CHECK(bound.at(m, b) > 0.3 * lack.check);  // loose bounds spare nothing
+            const Shortfall shortfall = sizing::rated(in, teeth).shortfall;
+            CHECK(bound.at(m, b) <= shortfall.check);
+            CHECK(bound.at(m, b) > 0.3 * shortfall.check);  // loose bounds spare nothing
           }
         }
       }

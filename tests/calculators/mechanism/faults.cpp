@@ -113,7 +113,7 @@ TEST_SUITE("mechanism faults") {
   = help: available: O, A, B, guide
 )");
     CHECK(with("joint = \"O\"", "joint = \"guide\"") ==
-          R"(a.toml:3:20: error: a crank needs a revolute joint, and 'guide' is none
+          R"(a.toml:3:20: error: a crank needs a revolute joint, and 'guide' is not one
 3 | crank = { joint = "guide", speed = "60 rpm", positions = 12 }
   |                    ^^^^^
   = help: drive a slide or a slot by a cylinder: cylinders.C1 = { joint = "guide", ... }

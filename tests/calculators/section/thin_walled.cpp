@@ -140,7 +140,8 @@ TEST_SUITE("thin-walled sections") {
   TEST_CASE("an error message for a section names the reason") {
     const auto fault = [](const std::string& lines) { return test::ExampleStep("section.thin_walled", lines).fault(); };
     const std::string one = "cells = [{ name = \"a\", A = \"10000 mm^2\" }]\nwalls = ";
-    CHECK(fault(one + "[{ cell = \"a\", l = \"353 mm\", t = \"4 mm\" }]").find("go around 9916") != std::string::npos);
+    CHECK(fault(one + "[{ cell = \"a\", l = \"353 mm\", t = \"4 mm\" }]").find("enclose at most 9916") !=
+          std::string::npos);
     CHECK(fault(one + "[{ cell = \"b\", l = \"500 mm\", t = \"4 mm\" }]").find("unknown cell 'b'") !=
           std::string::npos);
     CHECK(fault(one + "[{ l = \"500 mm\", t = \"4 mm\" }]").find("no wall to the outside") != std::string::npos);

@@ -59,21 +59,21 @@ std::vector<double> integrated(const Row<Span>& all, const std::vector<Load>& lo
 TEST_SUITE("beam") {
   TEST_CASE("a force in the middle of two supports: F l^3/48 E I, and F l/4 G A of shear") {
     const std::vector<Load> load{{1, -1000.0, 0.0}};
-    const Bent slender = beam_of(spans(2, 2.0), {{0}, {2}}).bend(load);
+    const LoadedBeam slender = beam_of(spans(2, 2.0), {{0}, {2}}).bend(load);
     CHECK(slender.nodes[1].v == Approx(-1000.0 * 8.0 / 48.0 / E_I));
     CHECK(slender.nodes[0].slope == Approx(-1000.0 * 4.0 / 16.0 / E_I));
     CHECK(slender.reactions[0] == Approx(500.0));
     CHECK(slender.spans[0].right.M == Approx(500.0));
     CHECK(slender.spans[0].left.V == Approx(500.0));
     CHECK(slender.spans[1].right.V == Approx(-500.0));
-    const Bent stout = beam_of(spans(2, 2.0, 1e5), {{0}, {2}}).bend(load);
+    const LoadedBeam stout = beam_of(spans(2, 2.0, 1e5), {{0}, {2}}).bend(load);
     CHECK(stout.nodes[1].v == Approx(-1000.0 * 8.0 / 48.0 / E_I - 1000.0 * 2.0 / 4.0 / 1e5));
   }
 
   TEST_CASE("a uniform load over three supports: 3/8, 10/8, 3/8 of a span, and -q l^2/8 at the middle support") {
     const Row<Span> all = spans(4, 4.0);
     const std::vector<OfEnds> q(4, even(all.front(), -600.0));
-    const Bent bent = beam_of(all, {{0}, {2}, {4}}).bend({}, q);
+    const LoadedBeam bent = beam_of(all, {{0}, {2}, {4}}).bend({}, q);
     CHECK(bent.reactions[0] == Approx(450.0));
     CHECK(bent.reactions[1] == Approx(1500.0));
     CHECK(bent.reactions[2] == Approx(450.0));
@@ -119,7 +119,7 @@ TEST_SUITE("beam") {
 
   TEST_CASE("an overhang, a couple and a spring") {
     const Beam beam = beam_of(spans(3, 3.0), {{0, 2e5}, {2}});
-    const Bent bent = beam.bend(std::vector<Load>{{3, -100.0, 40.0}});
+    const LoadedBeam bent = beam.bend(std::vector<Load>{{3, -100.0, 40.0}});
     CHECK(bent.reactions[0] == Approx(-(100.0 * 1.0 - 40.0) / 2.0));
     CHECK(bent.reactions[0] + bent.reactions[1] == Approx(100.0));
     CHECK(bent.nodes[0].v == Approx(-bent.reactions[0] / 2e5));
@@ -144,7 +144,7 @@ TEST_SUITE("beam") {
       std::vector<Load> both = one;
       both.insert(both.end(), two.begin(), two.end());
       const Beam beam = beam_of(all, {{0}, {6}});
-      const Bent a = beam.bend(one), b = beam.bend(two), sum = beam.bend(both);
+      const LoadedBeam a = beam.bend(one), b = beam.bend(two), sum = beam.bend(both);
       const std::vector<double> expected = integrated(all, both);
       double size = 0.0, forces = 0.0;
       for (const double v : expected) size = std::max(size, std::abs(v));

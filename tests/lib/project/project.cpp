@@ -102,7 +102,7 @@ TEST_SUITE("project") {
   }
 
   TEST_CASE("a key outside a step is refused") {
-    CHECK(issues_of("T = \"9 N*m\"\n") == R"(a.toml:1:1: error: 'T' is outside of a step
+    CHECK(issues_of("T = \"9 N*m\"\n") == R"(a.toml:1:1: error: 'T' is outside a step
 1 | T = "9 N*m"
   | ^
   = help: a project file consists of tables: [crankshaft]

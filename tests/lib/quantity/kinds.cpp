@@ -33,7 +33,7 @@ TEST_SUITE("quantity kinds") {
     CHECK(of_stress("tau_adm_1", "allowable torsional stress") == Meant::strength);
     CHECK(of_stress("R_e", "yield strength") == Meant::strength);
     CHECK(of_stress("sigma_D", "fatigue limit of the part") == Meant::strength);
-    CHECK(of_stress("sigma_AK", "amplitude that lasts") == Meant::strength);
+    CHECK(of_stress("sigma_AK", "permissible amplitude at this mean stress") == Meant::strength);
     CHECK(of_stress("sigma_C", "detail: its category") == Meant::strength);
     CHECK(of_stress("G", "shear modulus") == Meant::nothing);
     CHECK(of_stress("s", "standard deviation of the strength") == Meant::nothing);

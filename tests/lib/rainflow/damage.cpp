@@ -246,7 +246,7 @@ TEST_SUITE("rainflow damage") {
     DamageSum sum(curve_of(Measure::range, {1.0, 1.0}, {{64.0}}));
     const Loop huge{-8e307, 8e307};
     sum.take({{&huge, 1}, 1.0, {}});
-    CHECK(sum.total().fault().message.text() == "the damage is beyond what numbers hold");
+    CHECK(sum.total().fault().message.text() == "the damage exceeds the range of numbers");
     const SnCurve curve = curve_of(Measure::range, {1.0, 1.0}, {{64.0}});
     CHECK(std::isfinite(curve.damage(1e300)));
     CHECK(!curve.cycles(1e-300));

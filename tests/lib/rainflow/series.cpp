@@ -166,7 +166,7 @@ TEST_SUITE("rainflow series") {
     for (const std::string bad : {"inf", "1e999", "1.5 MPa", "0x10", "--1", "+-1", "1e", ".", "-", "1.2.3", "1_000"})
       CHECK(csv("x\n1\n" + bad + "\n", "x", ',').message == "line 3: '" + bad + "' in column 1 is not a finite number");
     CHECK(csv("t;F\n1;2,5,1\n", "F").message == "line 2: '2,5,1' in column 2 is not a finite number");
-    CHECK(csv("1,2\n").message == "line 1 has 2 columns: say which, by its name or its number from 1");
+    CHECK(csv("1,2\n").message == "line 1 has 2 columns: state which, by its name or its number from 1");
     CHECK(csv("1,2\n").hint == "separate the columns with ';' if a comma is the decimal mark");
     CHECK(csv("1 2\n3\n", "2").message == "line 2 has no number in column 2");
     CHECK(csv("1,2\n3,\n", "2").message == "line 2 has no number in column 2");
@@ -218,14 +218,14 @@ TEST_SUITE("rainflow series") {
           "the numbers of the array are '<i4'; float64 and float32, little-endian, are read");
     CHECK(message(npy("<f8", "(3, 2)", data, 1, "True"), "1") ==
           "the array is in Fortran's order, column after column; C order is read");
-    CHECK(message(npy("<f8", "(3, 2)", data)) == "the array has 2 columns: say which, by its number from 1");
+    CHECK(message(npy("<f8", "(3, 2)", data)) == "the array has 2 columns: state which, by its number from 1");
     CHECK(message(npy("<f8", "(3, 2)", data), "3") == "column '3' is not one of the array's 2, counted from 1");
     CHECK(message(npy("<f8", "(3, 2)", data), "x") == "column 'x' is not one of the array's 2, counted from 1");
     CHECK(message(npy("<f8", "()", data)) == "the array has 0 dimensions; one or two are read");
     CHECK(message(npy("<f8", "(1, 2, 3)", data)) == "the array has 3 dimensions; one or two are read");
     CHECK(message(npy("<f8", "(3, 0)", data)) == "the array has 0 columns; 1 to 65536 are read");
     for (const char* const shape : {"(-6,)", "(6.0,)", "(2 3)", "(6L,)", "(,)", "6", "(99999999999999999999,)"})
-      CHECK_MESSAGE(message(npy("<f8", shape, data)).find("of the array is none") != std::string::npos, shape);
+      CHECK_MESSAGE(message(npy("<f8", shape, data)).find("is not a shape of an array") != std::string::npos, shape);
     for (const char* const type : {"|b1", ">f4", "<f2", "<c16", "|S8", "|O"})
       CHECK(message(npy(type, "(6,)", data)).find("float64 and float32, little-endian, are read") != std::string::npos);
     CHECK(message(npy("<f8", "(7,)", data)) == "byte 176: the file ends after 6 of 7 rows");

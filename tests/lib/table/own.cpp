@@ -107,7 +107,7 @@ source = "EN 10028-2"
     CHECK(fault_of("[tables.materials.\" \"]\nsource = \"x\"\nE = \"1 GPa\"") == "1:19: the name of a row is one line");
     CHECK(fault_of("[tables.materials.M]\nsource = \"x\"").starts_with("1:19: 'M' has no value | available: "));
     CHECK(fault_of("[tables.materials]\nE = \"1 GPa\"") ==
-          "2:1: 'E' is outside of a row | a row is [tables.materials.NAME]");
+          "2:1: 'E' is outside a row | a row is [tables.materials.NAME]");
     CHECK(fault_of("tables = 3") ==
           "1:1: 'tables' is a table of tables, not a number | a row is [tables.materials.NAME]");
   }
@@ -132,9 +132,9 @@ source = "EN 10028-2"
 
   TEST_CASE("two rows of a project never have the same name") {
     CHECK(fault_of(row + "E = \"1 GPa\"\n[tables.materials.N]\nE = \"1 GPa\"\nsource = \"x\"\naliases = [\"m\"]") ==
-          "4:19: two rows of the project answer to the name 'm': 'M' and 'N' | take it out of one of them");
+          "4:19: two rows of the project match the name 'm': 'M' and 'N' | take it out of one of them");
     CHECK(told(read(row + "E = \"1 GPa\"", {file}).issues) ==
-          "0:0: two rows of the project answer to the name 'M': 'M' and 'M' | take it out of one of them");
+          "0:0: two rows of the project match the name 'M': 'M' and 'M' | take it out of one of them");
   }
 
   TEST_CASE("a series of a project is a stock like the others") {

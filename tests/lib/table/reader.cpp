@@ -122,7 +122,7 @@ nu = 0.35
     const Case cases[] = {
         {"E = 205\n",
          "6:1: E of 'A' has no source | name it in 'sources' or 'cite', or in 'recalled' where none was seen"},
-        {"E = \"205 GPa\"\nrecalled = true\n", "6:6: E must be a number | it is read in GPa, as 'units' says"},
+        {"E = \"205 GPa\"\nrecalled = true\n", "6:6: E must be a number | it is read in GPa, as given in 'units'"},
         {"Re = 5\nrecalled = true\n", "6:1: 'Re' has no unit in 'units' | did you mean 'R_e'?"},
         {"E = 205\nsources = [\"Lucefin-C54E\"]\n",
          "7:13: unknown source 'Lucefin-C54E' | did you mean 'Lucefin-C45E'?"},
@@ -152,7 +152,7 @@ nu = 0.35
     CHECK(issue_of(series + "decade = [1, 2, 5]\nrecalled = true\n") ==
           "3:1: a decade needs its range: within = [0.1, 1000]");
     CHECK(issue_of(series + "sizes = [1, 2]\n") ==
-          "3:1: 's' has no source | name it in 'sources', or say recalled = true where none was seen");
+          "3:1: 's' has no source | name it in 'sources', or write recalled = true where none was seen");
     CHECK(issue_of(series + "recalled = true\n") == "3:1: give 'sizes', or a 'decade' and the range 'within'");
     CHECK(issue_of(series + "sizes = [\"1\"]\nrecalled = true\n") == "5:11: 's.sizes' must be an array of numbers");
   }

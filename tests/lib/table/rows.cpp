@@ -85,7 +85,7 @@ TEST_SUITE("table") {
 
   TEST_CASE("a line of another length, lines without columns, and a key of two meanings are refused") {
     CHECK(first_of("table = \"a\"\n" + head + "columns = [\"name\", \"d\"]\nrows = [[\"B1\"]]\n") ==
-          "a line of 'rows' is an array of 2 values, as 'columns' says");
+          "a line of 'rows' is an array of 2 values, as listed in 'columns'");
     CHECK(first_of("table = \"a\"\n" + head + "rows = [[\"B1\"]]\n") == "'columns' is missing");
     std::vector<Issue> issues;
     Library library = read(lines, issues);

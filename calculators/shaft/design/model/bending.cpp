@@ -17,7 +17,7 @@ using Input = DesignInput;
 constexpr double finest = 1e-6;  // share of the length: closer places are one
 constexpr double parts = 120.0;  // parts of the length, at least: deflection and masses between the places
 
-beam::Row<double> named_places(const Input& in, const Weakest& weakest) {
+beam::Row<double> named_places(const Input& in, const CriticalPlaces& weakest) {
   beam::Row<double> x{0.0};
   for (const Piece& piece : in.pieces) x.push_back(x.back() + in_si(piece.l));
   for (const Support& support : in.supports) {
@@ -31,10 +31,10 @@ beam::Row<double> named_places(const Input& in, const Weakest& weakest) {
   }
   // A position outside the shaft violates a rule, which may be reported only after a search.
   const double length = in_si(length_of(in));
-  const auto is_beside = [&](double place) { return !(place >= 0.0 && place <= length); };
-  x.erase(std::remove_if(x.begin(), x.end(), is_beside), x.end());
+  const auto is_outside = [&](double place) { return !(place >= 0.0 && place <= length); };
+  x.erase(std::remove_if(x.begin(), x.end(), is_outside), x.end());
   const std::size_t named = x.size();
-  for (const Weak& weak : weakest) {  // close to a named place it is that place
+  for (const CriticalPlace& weak : weakest) {  // close to a named place it is that place
     const auto is_near = [&](double place) { return std::abs(place - weak.x) <= finest * in_si(length_of(in)); };
     if (std::none_of(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(named), is_near)) x.push_back(weak.x);
   }
@@ -66,7 +66,7 @@ double mass_on(const Seat& seat) { return is_set(seat.mass) ? in_si(seat.mass) :
 enum class Plane { X, Y };
 
 /// One of two planes: what of each load lies in it.
-beam::Bent bent(const Input& in, const Elastic& elastic, Plane plane, std::size_t position) {
+beam::LoadedBeam bent(const Input& in, const Elastic& elastic, Plane plane, std::size_t position) {
   const Stations& stations = elastic.stations;
   const Direction down(is_set(in.g_angle) ? in.g_angle : 0.0);
   const double gravity = !is_set(in.g_angle) ? 0.0 : standard_gravity * (plane == Plane::X ? down.c : down.s);
@@ -146,7 +146,7 @@ std::size_t Stations::at(Length place) const {
   return x[index] - wanted < wanted - x[index - 1] ? index : index - 1;
 }
 
-Stations stations_of(const Input& in, const Weakest& weakest) {
+Stations stations_of(const Input& in, const CriticalPlaces& weakest) {
   Stations stations;
   stations.weakest = weakest;
   const double length = in_si(length_of(in));
@@ -191,7 +191,7 @@ Mass mass_of(const Input& in) {
   return sum;
 }
 
-Felt Loaded::side(std::size_t span, bool right_end) const {
+InternalForces Loaded::side(std::size_t span, bool right_end) const {
   const auto& ends_x = x.spans[span];
   const auto& ends_y = y.spans[span];
   const beam::End& in_x = right_end ? ends_x.right : ends_x.left;
@@ -199,12 +199,12 @@ Felt Loaded::side(std::size_t span, bool right_end) const {
   return {in_x.M, in_y.M, std::sqrt(square_of(in_x.V, in_y.V)), N[span], T[span]};
 }
 
-Felt Loaded::felt(std::size_t node) const {
+InternalForces Loaded::internal_forces(std::size_t node) const {
   if (node == 0) return side(0, false);
   if (node == T.size()) return side(node - 1, true);
-  const Felt left = side(node - 1, true), right = side(node, false);
+  const InternalForces left = side(node - 1, true), right = side(node, false);
   const bool more_left = square_of(left.M_x, left.M_y) > square_of(right.M_x, right.M_y);
-  const Felt& bent_more = more_left ? left : right;
+  const InternalForces& bent_more = more_left ? left : right;
   return {bent_more.M_x, bent_more.M_y, std::max(left.V, right.V), larger(left.N, right.N), larger(left.T, right.T)};
 }
 
@@ -213,7 +213,7 @@ double Loaded::slope(std::size_t node) const { return std::hypot(x.nodes[node].s
 
 bool bears(const Input& in) { return elastic_shaft(in).has_value(); }
 
-std::optional<Elastic> elastic_shaft(const Input& in, const Weakest& weakest) {
+std::optional<Elastic> elastic_shaft(const Input& in, const CriticalPlaces& weakest) {
   const Stations stations = stations_of(in, weakest);
   const beam::Row<Stretch> stretches = stretches_of(in, stations);
   const auto beam = beam_of(in, stations, stretches);

@@ -7,10 +7,10 @@
 
 namespace loadpath::shaft {
 
-Stations stations_of(const DesignInput& in, const Weakest& weakest = {});
+Stations stations_of(const DesignInput& in, const CriticalPlaces& weakest = {});
 
 /// Internal forces at a section, the larger of both sides: planes X and Y, along the shaft and around it.
-struct Felt {
+struct InternalForces {
   double M_x = 0.0, M_y = 0.0, V = 0.0, N = 0.0, T = 0.0;
 };
 
@@ -21,12 +21,12 @@ struct Elastic {
   beam::Beam beam;
 };
 /// None if the bearings are so soft compared with the shaft that they give no support.
-std::optional<Elastic> elastic_shaft(const DesignInput& in, const Weakest& weakest = {});
+std::optional<Elastic> elastic_shaft(const DesignInput& in, const CriticalPlaces& weakest = {});
 
 /// The shaft under all of its loads at a position of its turn, with the service factor.
 struct Loaded {
   Stations stations;
-  beam::Bent x, y;
+  beam::LoadedBeam x, y;
   beam::Row<double> T, N;  // values of every span
   beam::Row<double> phi;   // twist of every node against the first
   double thrust = 0.0;     // that the fixed bearing takes, signed
@@ -34,8 +34,8 @@ struct Loaded {
   double twisting = 0.0;   // the torque that it is of, N m; unsigned
   double flexible = 0.0;   // 1/(G I_p) there, rad/(N m^2)
   /// Internal forces of a span at its left or right end.
-  [[nodiscard]] Felt side(std::size_t span, bool right_end) const;
-  [[nodiscard]] Felt felt(std::size_t node) const;
+  [[nodiscard]] InternalForces side(std::size_t span, bool right_end) const;
+  [[nodiscard]] InternalForces internal_forces(std::size_t node) const;
   [[nodiscard]] double deflection(std::size_t node) const;
   [[nodiscard]] double slope(std::size_t node) const;
   [[nodiscard]] double largest_moment() const;

@@ -23,7 +23,7 @@ Within within(const Stations& stations, double x) {
 }
 
 /// Deflection within a span: between its ends a line, bent by the moments at them. Beyond the shaft it is straight.
-double deflection_at(const beam::Bent& bent, const beam::Span& span, const Within& at) {
+double deflection_at(const beam::LoadedBeam& bent, const beam::Span& span, const Within& at) {
   const beam::Node &left = bent.nodes[at.span], &right = bent.nodes[at.span + 1];
   if (at.share < 0.0) return left.v + left.slope * at.share * span.l;
   if (at.share > 1.0) return right.v + right.slope * (at.share - 1.0) * span.l;

@@ -41,7 +41,7 @@ TurnFault fault_of_series(const Input& in) {
     else if (std::any_of(si.begin(), si.end(), [](double x) { return !std::isfinite(x); }))
       fault = {key, say("it is not known at all positions of the turn"),
                say("see the step that it comes from: `loadpath why`")};
-    else if (!tells_its_extremes(*load.series))
+    else if (!resolves_extremes(*load.series))
       fault = {key, say("between the positions of the turn its extremes may be more than 1 % of the range larger"),
                say("take more positions in the step that it comes from: 36 at least")};
   };
@@ -54,25 +54,25 @@ TurnFault fault_of_series(const Input& in) {
 
 TurnFault fault_of_angle(const Input& in) {
   constexpr double same = 1e-6;  // rad
-  const Seat* const told = angled(in);
-  if (told == nullptr)
+  const Seat* const seat_with_angle = angled(in);
+  if (seat_with_angle == nullptr)
     return {"psi", say("the loads vary over a revolution, but the angle of the shaft is missing"),
             say("load = \"=press.shafts.O\" includes psi; psi = \"0 deg\": the shaft is at rest")};
   for (const Seat& seat : in.seats) {
     if (!is_set(seat.psi)) continue;
     for (std::size_t i = 0; i < positions_of(in); ++i) {
-      if (std::abs(wrapped(seat.psi.at(i) - told->psi.at(i))) > same)
-        return {"psi", say("components of one shaft must have the same speed, and these have not"), {}};
+      if (std::abs(wrapped(seat.psi.at(i) - seat_with_angle->psi.at(i))) > same)
+        return {"psi", say("components of one shaft must have the same speed, and these do not"), {}};
     }
   }
-  if (!told->psi.is_series()) {
+  if (!seat_with_angle->psi.is_series()) {
     if (is_set(speed_of(in)))
       return {"psi", say("a single angle means a shaft at rest, but it has a speed"),
               say("give the angle at each position, or leave out the speed")};
     return {};
   }
-  if (!closes(told->psi))
-    return {"psi", say("at the end of the turn the shaft is not where it was at the beginning"),
+  if (!closes(seat_with_angle->psi))
+    return {"psi", say("at the end of the revolution the shaft is not at its initial angle"),
             say("solve as many revolutions of the mechanism as give full revolutions of the shaft")};
   return {};
 }
@@ -111,8 +111,8 @@ double share_of(const Input& in, std::size_t position) {
 }
 
 double psi_of(const Input& in, std::size_t position) {
-  const Seat* const told = angled(in);
-  return told == nullptr ? 0.0 : told->psi.at(position);
+  const Seat* const seat_with_angle = angled(in);
+  return seat_with_angle == nullptr ? 0.0 : seat_with_angle->psi.at(position);
 }
 
 double turns_of(const Input& in) {

@@ -68,13 +68,12 @@ struct Seated {
       Field{&Seated::v, "v", mm, "deflection"},
       Field{&Seated::beta, "beta", deg, "slope"},
       Field{&Seated::u_beta, "u_beta", ratio, "slope / allowable slope"}.check().where_it_applies(),
-      Field{&Seated::x_c, "x_c", ratio, "torque / torque that the shaft-hub connection is assessed for"}
+      Field{&Seated::x_c, "x_c", ratio, "torque / assessed torque of the shaft-hub connection"}
           .limit(0, 1 + 1e-6)
           .criterion()
           .sizeless()
           .where_it_applies(),
-      Field{&Seated::x_peak, "x_peak", ratio,
-            "torque with k_max / peak torque that the shaft-hub connection is assessed for"}
+      Field{&Seated::x_peak, "x_peak", ratio, "torque with k_max / assessed peak torque of the shaft-hub connection"}
           .limit(0, 1 + 1e-6)
           .criterion()
           .sizeless()
@@ -148,18 +147,18 @@ struct Harmonic {
 };
 
 /// A mode in which the bent shaft goes around, forward with its turning or backward.
-struct Whirled {
+struct WhirlMode {
   Name name;
   AngularSpeed f_0 = unset<AngularSpeed>;
   AngularSpeed n_F = unset<AngularSpeed>, n_B = unset<AngularSpeed>;
   AngularSpeed f_F = unset<AngularSpeed>, f_B = unset<AngularSpeed>;
   static constexpr Fields fields{
-      NameField{&Whirled::name, "name", "whirl mode"},
-      Field{&Whirled::f_0, "f_0", Hz, "natural frequency of the shaft at standstill, with rotary inertia"},
-      Field{&Whirled::n_F, "n_F", rpm, "critical speed of forward whirl (excited by unbalance)"},
-      Field{&Whirled::n_B, "n_B", rpm, "critical speed of backward whirl"},
-      Field{&Whirled::f_F, "f_F", Hz, "frequency of forward whirl at shaft speed"},
-      Field{&Whirled::f_B, "f_B", Hz, "frequency of backward whirl at shaft speed"}};
+      NameField{&WhirlMode::name, "name", "whirl mode"},
+      Field{&WhirlMode::f_0, "f_0", Hz, "natural frequency of the shaft at standstill, with rotary inertia"},
+      Field{&WhirlMode::n_F, "n_F", rpm, "critical speed of forward whirl (excited by unbalance)"},
+      Field{&WhirlMode::n_B, "n_B", rpm, "critical speed of backward whirl"},
+      Field{&WhirlMode::f_F, "f_F", Hz, "frequency of forward whirl at shaft speed"},
+      Field{&WhirlMode::f_B, "f_B", Hz, "frequency of backward whirl at shaft speed"}};
 };
 
 /// Fatigue assessment of a section, by each method.
@@ -240,7 +239,7 @@ struct DesignResult {
   List<Carried, most_supports> bearings;
   List<Seated, most_seats> seats;
   List<Harmonic, 2 * most_orders + 1> harmonics;
-  List<Whirled, most_whirls> whirls;
+  List<WhirlMode, most_whirls> whirls;
   List<Section, most_places> sections;
   List<Safety, most_places> safeties;
 };

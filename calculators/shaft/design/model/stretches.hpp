@@ -8,18 +8,18 @@
 namespace loadpath::shaft {
 
 /// A place within a taper: where it is stressed most, or where it tires first.
-struct Weak {
+struct CriticalPlace {
   double x = 0.0;
   std::size_t piece = 0;
   bool tires = false;
 };
-using Weakest = List<Weak, 2 * most_pieces>;
+using CriticalPlaces = List<CriticalPlace, 2 * most_pieces>;
 
 /// The places where something changes, and points between them; the piece of every span. SI.
 struct Stations {
   beam::Row<double> x;
   beam::Row<std::size_t> piece;                      // segment to the right of each x but the last
-  Weakest weakest = {};                              // that are among them
+  CriticalPlaces weakest = {};                       // that are among them
   [[nodiscard]] std::size_t at(Length place) const;  // the nearest
 };
 

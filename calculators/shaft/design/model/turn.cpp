@@ -63,25 +63,25 @@ std::pair<double, double> extremes(std::size_t positions, const Of& of) {
 
 Turn::Turn(const Input& in, std::size_t nodes)
     : nodes_(nodes), positions_(positions_of(in)), varies_(shaft::varies(in)) {
-  felt_.reserve(nodes_ * positions_);
+  internal_forces_.reserve(nodes_ * positions_);
   for (std::size_t i = 0; varies_ && i < positions_; ++i) psi_.push_back(psi_of(in, i));
   for (const double psi : psi_) axes_.push_back({Heading::of(0.0 + psi), Heading::of(pi / 2.0 + psi)});
 }
 
 void Turn::take(const Loaded& loaded) {
-  for (std::size_t n = 0; n < nodes_; ++n) felt_.push_back(loaded.felt(n));
+  for (std::size_t n = 0; n < nodes_; ++n) internal_forces_.push_back(loaded.internal_forces(n));
   const double M = loaded.largest_moment();
-  if (numerics::exceeds(M, largest_)) largest_ = M, most_bent_ = felt_.size() / nodes_ - 1;
+  if (numerics::exceeds(M, largest_)) largest_ = M, most_bent_ = internal_forces_.size() / nodes_ - 1;
 }
 
 double Turn::moment(std::size_t node, std::size_t position, double theta) const {
-  const Felt& f = felt(node, position);
+  const InternalForces& f = internal_forces(node, position);
   return f.M_x * std::cos(theta + psi_[position]) + f.M_y * std::sin(theta + psi_[position]);
 }
 
 Swings Turn::along(std::size_t node, double r_T) const {
-  const auto N = extremes(positions_, [&](std::size_t i) { return felt(node, i).N; });
-  const auto T = extremes(positions_, [&](std::size_t i) { return felt(node, i).T; });
+  const auto N = extremes(positions_, [&](std::size_t i) { return internal_forces(node, i).N; });
+  const auto T = extremes(positions_, [&](std::size_t i) { return internal_forces(node, i).T; });
   Swings all;
   all.N = between(from_si<Force>(N.first), from_si<Force>(N.second));
   all.T = between(from_si<Moment>(T.first), from_si<Moment>(T.second), r_T);
@@ -92,7 +92,7 @@ std::vector<Swings> Turn::swings(std::size_t node, double r_T) const {
   constexpr double finest = 1e-3;  // share of amplitude and mean: closer points are one
   Extremes M;
   for (std::size_t i = 0; i < positions_; ++i) {
-    const Felt& f = felt(node, i);
+    const InternalForces& f = internal_forces(node, i);
     const auto& [x, y] = axes_[i];  // of the shaft
     M.take(f.M_x * x.c + f.M_y * x.s, f.M_x * y.c + f.M_y * y.s, i == 0);
   }

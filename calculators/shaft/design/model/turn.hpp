@@ -39,8 +39,8 @@ class Turn {
   [[nodiscard]] std::size_t positions() const { return positions_; }
   [[nodiscard]] bool varies() const { return varies_; }
   [[nodiscard]] std::size_t most_bent() const { return most_bent_; }
-  [[nodiscard]] const Felt& felt(std::size_t node, std::size_t position) const {
-    return felt_[position * nodes_ + node];
+  [[nodiscard]] const InternalForces& internal_forces(std::size_t node, std::size_t position) const {
+    return internal_forces_[position * nodes_ + node];
   }
   /// Unset for a single position.
   [[nodiscard]] double psi(std::size_t position) const { return psi_.empty() ? unset<double> : psi_[position]; }
@@ -56,7 +56,7 @@ class Turn {
   std::size_t nodes_, positions_, most_bent_ = 0;
   bool varies_;
   double largest_ = -1.0;
-  boost::container::small_vector<Felt, beam::most_nodes> felt_;
+  boost::container::small_vector<InternalForces, beam::most_nodes> internal_forces_;
   std::vector<double> psi_;
   struct Axes {
     Heading x, y;

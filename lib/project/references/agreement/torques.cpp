@@ -53,9 +53,10 @@ std::vector<ReducedLoad> factors_of_torque(const Step& step, const Project& proj
     if (other.get() == &step || !has_application_factor(*other)) continue;
     const double T = std::abs(own_value(step, project, "T")), K_A = own_value(*other, project, "K_A");
     if (!(K_A > 1.0) || !(T > 0.0) || !has_torque(*other, T, project)) continue;
-    return {{"K_A", say("'{1}' has the same torque {2} with K_A = {3}, and no K_A is given here: give it, or say why, "
-                        "because.K_A = \"...\"",
-                        other->name(), format_quantity(T, "N*m", 4), format_number(K_A, 4))}};
+    return {
+        {"K_A", say("'{1}' has the same torque {2} with K_A = {3}, and no K_A is given here: give it, or the reason: "
+                    "because.K_A = \"...\"",
+                    other->name(), format_quantity(T, "N*m", 4), format_number(K_A, 4))}};
   }
   return {};
 }

@@ -27,7 +27,7 @@ std::string source_of(const Step& step, std::string_view key) {
 }
 
 /// The path of the speed next to a torque: "worm.n_2" of "worm.T_2", "x.shafts[2].n" of "x.shafts[2].T".
-std::string speed_beside(const std::string& torque) {
+std::string speed_of_torque(const std::string& torque) {
   const std::size_t at = torque.rfind(".T");
   if (at == std::string::npos) return {};
   const std::string rest = torque.substr(at + 2);
@@ -83,15 +83,15 @@ std::vector<ReducedLoad> torques_at_other_speeds(const Step& step, const Project
   constexpr std::array<std::array<const char*, 2>, 2> sides{{{"T_1", "n_1"}, {"T", "n"}}};
   for (const auto& side : sides) {
     const std::string torque = source_of(step, side[0]), speed = source_of(step, side[1]);
-    const std::string beside = speed_beside(torque);
-    if (beside.empty() || speed.empty() || speed == beside) continue;
+    const std::string its_speed = speed_of_torque(torque);
+    if (its_speed.empty() || speed.empty() || speed == its_speed) continue;
     if (split_step(torque).first != split_step(speed).first) continue;
-    const double n = std::abs(magnitude_at(project, beside)), own = std::abs(magnitude_at(project, speed));
+    const double n = std::abs(magnitude_at(project, its_speed)), own = std::abs(magnitude_at(project, speed));
     if (!(std::abs(n - own) > same_shaft * n)) continue;
     return {{side[0], say("'{1}' acts at '{2}' = {3}, and {4} is '{5}' = {6}: take both of one shaft, or "
                           "because.{7} = \"...\"",
-                          torque, beside, format_quantity(n, "rpm", 4), side[1], speed, format_quantity(own, "rpm", 4),
-                          side[0])}};
+                          torque, its_speed, format_quantity(n, "rpm", 4), side[1], speed,
+                          format_quantity(own, "rpm", 4), side[0])}};
   }
   return {};
 }

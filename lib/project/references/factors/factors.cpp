@@ -1,7 +1,7 @@
 #include "lib/project/references/factors/factors.hpp"
 
 #include "lib/project/references/factors/given.hpp"
-#include "lib/project/references/factors/lacking.hpp"
+#include "lib/project/references/factors/missing_factors.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -13,7 +13,7 @@ namespace loadpath::project {
 namespace {
 
 /// "chain.K_A = 1.4"
-Message told(const Factors& factors, const std::string& factor) {
+Message text_of(const Factors& factors, const std::string& factor) {
   return say("{1} = {2}", factor, format_number(factors.at(factor), 4));
 }
 
@@ -82,7 +82,7 @@ class Check {
     }
     refuse_own();
     step_.loads().factors = held_;
-    step_.loads().lacking_factor = lacking_factor(step_, project_, held_);
+    step_.loads().missing_factor = missing_factor(step_, project_, held_);
   }
 
  private:
@@ -123,11 +123,11 @@ class Check {
 
   void refuse_unlike(const Load& with, const std::string& factor, const Load& without) {
     const std::string other = of_kind(without.held, kind_of(factor));
-    const Message held = told(with.held, factor);
+    const Message held = text_of(with.held, factor);
     if (!other.empty())
       return refuse(without, Fault{0, without.text.size(),
                                    say("'{1}' includes {2}, and '{3}' includes {4}", with.path, held, without.path,
-                                       told(without.held, other)),
+                                       text_of(without.held, other)),
                                    say("divide each by the factor it includes, and give one here")});
     refuse(without,
            Fault{0, without.text.size(), say("'{1}' includes {2}, and '{3}' does not", with.path, held, without.path),
@@ -144,7 +144,7 @@ class Check {
       if (own == nullptr || !own->is_factor || !is_applied(given_factor(project_, step_.input(), key))) continue;
       issues_.push_back(
           issue_at(step_.input(), key,
-                   say("{1} would be applied twice: '{2}' includes {3}", key, first_->path, told(held_, factor)),
+                   say("{1} would be applied twice: '{2}' includes {3}", key, first_->path, text_of(held_, factor)),
                    say("leave out {1} in '{3}', or use '{2}' without it", key, first_->path, step_.name())));
     }
   }

@@ -15,14 +15,14 @@ class Peaks {
  public:
   Peaks(const Step& step, const Project& project) : step_(step), project_(project) {}
 
-  Message lacking() const {
-    Message peak = lacking_peak();
+  Message missing() const {
+    Message peak = missing_peak();
     return peak.empty() ? below_peak() : peak;
   }
 
  private:
   /// A start or a jam raises the load of the shaft, and so that of the key or spline which it names as its part.
-  Message lacking_peak() const {
+  Message missing_peak() const {
     const auto& inputs = step_.input().calculator->input->fields;
     if (find_field(inputs, "T_max") == nullptr || find_field(inputs, "K_A") == nullptr) return {};
     for (const auto& shaft : project_.steps) {
@@ -115,6 +115,6 @@ class Peaks {
 
 }  // namespace
 
-Message lacking_peak(const Step& step, const Project& project) { return Peaks(step, project).lacking(); }
+Message missing_peak(const Step& step, const Project& project) { return Peaks(step, project).missing(); }
 
 }  // namespace loadpath::project

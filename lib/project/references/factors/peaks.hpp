@@ -6,6 +6,6 @@
 namespace loadpath::project {
 
 /// What is missing of the peak load of another step, and the remedy; empty if nothing is.
-Message lacking_peak(const Step& step, const Project& project);
+Message missing_peak(const Step& step, const Project& project);
 
 }  // namespace loadpath::project

@@ -378,7 +378,7 @@ std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& proj
                                   taker->name(), key, format_number(factor, 4), gear)});
       if (load.empty()) continue;
       lower.push_back(
-          {key, say("{1} takes '{2}' with {3} = {4}; here {3} is lower: give it, or say why, because.{3} = \"...\"",
+          {key, say("{1} takes '{2}' with {3} = {4}; here {3} is lower: give it, or the reason, because.{3} = \"...\"",
                     taker->name(), load, key, format_number(factor, 4))});
     }
   }

@@ -76,14 +76,14 @@ class PartCheck {
   /// The bore of the part whose diameter is taken: of the same element of a list, else of the whole part.
   double bore_of(const TakenSize& size) const {
     const std::string name = size.source->name() + ".";
-    const double beside = magnitude_at(project_, name + prefix_of(size.rest) + "d_bore");
-    return std::isnan(beside) ? magnitude_at(project_, name + "d_bore") : beside;
+    const double adjacent = magnitude_at(project_, name + prefix_of(size.rest) + "d_bore");
+    return std::isnan(adjacent) ? magnitude_at(project_, name + "d_bore") : adjacent;
   }
 
   /// The key of the bore that belongs to a diameter of this step; empty if it has none.
-  std::string own_bore(const std::string& beside) const {
+  std::string own_bore(const std::string& prefix) const {
     for (const char* const key : {"d_bore", "d_i"}) {
-      if (leaf(beside + key)) return beside + key;
+      if (leaf(prefix + key)) return prefix + key;
     }
     return {};
   }
@@ -93,18 +93,18 @@ class PartCheck {
     if (!is_outer_diameter(key_in(path)) || !is_outer_diameter(key_in(size.rest))) return;
     const double bore = bore_of(size);
     if (!(bore > 0.0)) return;
-    const std::string own = own_bore(prefix_of(path)), told = format_quantity(bore, "mm", 4);
+    const std::string own = own_bore(prefix_of(path)), text = format_quantity(bore, "mm", 4);
     if (own.empty()) {
       if (connects(step_))
         add(path, say("'{1}' has a bore of {2}, and the formulas are those of a solid shaft; justify it: because.{3} = "
                       "\"...\"",
-                      size.source->name(), told, path));
+                      size.source->name(), text, path));
       return;
     }
     if (is_less(own, bore))
       add(path,
           say("{1} is the diameter of '{2}', which has a bore of {3}: give {4} = \"{3}\", or because.{1} = \"...\"",
-              path, size.source->name(), told, own));
+              path, size.source->name(), text, own));
   }
 
   /// A connection is on the shaft whose torque it takes, though it may type the diameter.

@@ -114,10 +114,10 @@ bool Evaluation::remembers_sizes() const {
 Message Evaluation::unsettled_size(double two_before, double before, double now) const {
   const FieldInfo& field = *find_field(calculator_.result->fields, inputs_.size_field());
   const auto shown = [&](double si) { return format_quantity(si, field.unit, 4); };
-  return now == two_before ? say("the size '{1}' does not settle: it alternates between {2} and {3}", field.key,
+  return now == two_before ? say("the size '{1}' does not converge: it alternates between {2} and {3}", field.key,
                                  shown(std::min(before, now)), shown(std::max(before, now)))
-                           : say("the size '{1}' does not settle: after {2} rounds it goes from {3} to {4}", field.key,
-                                 std::to_string(most_size_rounds), shown(before), shown(now));
+                           : say("the size '{1}' does not converge: after {2} rounds it goes from {3} to {4}",
+                                 field.key, std::to_string(most_size_rounds), shown(before), shown(now));
 }
 
 bool Evaluation::evaluate_at(std::size_t i) {
@@ -136,7 +136,7 @@ double Evaluation::largest_result(const FieldInfo& field) {
 
 bool Evaluation::is_judged(const FieldInfo& field) const {
   const bool judges = field.role == Role::check || field.role == Role::limit;
-  return judges && !field.is_beside && is_asked(field);
+  return judges && !field.is_informative && is_asked(field);
 }
 
 }  // namespace loadpath::project

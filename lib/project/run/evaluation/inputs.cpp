@@ -46,7 +46,7 @@ bool Inputs::evaluate_operands(std::vector<Issue>& issues, const std::set<std::s
     if (left_open.contains(operand.path)) continue;
     auto value = evaluate_operand(operand, step_.name(), known_, issues);
     sound = sound && value.has_value();
-    if (!value || (operand.may_lack && !is_known_somewhere(*value))) continue;
+    if (!value || (operand.may_be_incomplete && !is_known_somewhere(*value))) continue;
     add_computed(
         {operand.path, leaf(operand.path), std::move(*value), expression_origin(*step_.input().tables, operand)});
   }

@@ -26,12 +26,12 @@ double extreme_of(const Inputs& inputs, const std::string& path) {
 }
 
 /// Whether inputs other than that of the other component have this one, in its direction: F also as F_x and F_y.
-bool is_held(const LoadBeside& one, const Inputs& inputs, double component) {
-  const std::string beside = prefix_of(one.input), key = one.path.substr(one.path.rfind('.') + 1);
-  const double own = extreme_of(inputs, beside + key);
+bool is_held(const LoadComponent& one, const Inputs& inputs, double component) {
+  const std::string prefix = prefix_of(one.input), key = one.path.substr(one.path.rfind('.') + 1);
+  const double own = extreme_of(inputs, prefix + key);
   const double least = (1.0 - tolerance) * std::abs(component);
   if (own * component > 0.0 && std::abs(own) >= least) return true;
-  return std::hypot(extreme_of(inputs, beside + key + "_x"), extreme_of(inputs, beside + key + "_y")) >= least;
+  return std::hypot(extreme_of(inputs, prefix + key + "_x"), extreme_of(inputs, prefix + key + "_y")) >= least;
 }
 
 /// Whether a step takes torque: a rolling bearing and a pin in a loose fit transmit none.
@@ -42,7 +42,7 @@ bool takes_moments(const PreparedStep& step) {
   });
 }
 
-bool is_torque(const LoadBeside& one) { return one.path.ends_with(".T"); }
+bool is_torque(const LoadComponent& one) { return one.path.ends_with(".T"); }
 
 }  // namespace
 
@@ -52,7 +52,7 @@ bool acts(const Value& value) {
 
 std::string left_loads(const PreparedStep& step, const Inputs& inputs, const Known& known) {
   std::string names;
-  for (const LoadBeside& one : step.rest_of_loads()) {
+  for (const LoadComponent& one : step.components_not_included()) {
     if (is_torque(one) && !takes_moments(step)) continue;
     const Value& value = known(one.path);
     const double component = extreme_of(value);

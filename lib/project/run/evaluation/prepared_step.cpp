@@ -32,10 +32,10 @@ std::set<std::string> taken_paths(const Reading& reading, const std::vector<Prov
 }
 
 /// Components of the referenced loads that neither another input nor a provider takes.
-std::vector<LoadBeside> loads_beside(const Reading& reading, const std::vector<Provided>& provided,
-                                     const Companions& companions) {
+std::vector<LoadComponent> further_components(const Reading& reading, const std::vector<Provided>& provided,
+                                              const Companions& companions) {
   std::set<std::string> taken = taken_paths(reading, provided);
-  std::vector<LoadBeside> rest;
+  std::vector<LoadComponent> rest;
   const auto add = [&](const std::string& reference, const std::string& input) {
     for (const std::string& path : companions(reference)) {
       if (taken.insert(path).second) rest.push_back({path, input});
@@ -61,7 +61,7 @@ void PreparedStep::prepare(const Declared& declared, const Companions& companion
   }
   provided_ = provided_by_rows(input(), input().rows, issues);
   for (Provided& provided : provided_by_companions(input(), companions)) provided_.push_back(std::move(provided));
-  rest_ = loads_beside(input().reading, provided_, companions);
+  rest_ = further_components(input().reading, provided_, companions);
   origins_ = fill_lists(input(), input().rows, input().reading.record);
   find_searches(issues);
   check_rules_of_literals(issues);
@@ -189,7 +189,7 @@ bool PreparedStep::is_asked(const FieldInfo& check, const Record& record) const 
   if (inputs.empty()) return true;
   // Whether a row that the step names is to give the input, and must have it.
   const auto comes_from_row = [&](std::string_view input, const FieldInfo& field) {
-    return names_row_for(std::string(input)) && !field.provider.may_lack;
+    return names_row_for(std::string(input)) && !field.provider.may_be_incomplete;
   };
   while (!inputs.empty()) {  // called for every candidate of a search: avoids a list of keys
     const std::string_view input = inputs.substr(0, inputs.find(", "));
@@ -208,7 +208,7 @@ bool PreparedStep::is_about(std::size_t rule, const std::string& path) const {
 namespace {
 
 /// The input of a rule that a row was to fill, and the row has no such value; null if there is none.
-const Provided* lacking_row(const RuleInfo& rule, const Record& record, const std::vector<Provided>& all) {
+const Provided* row_without_value(const RuleInfo& rule, const Record& record, const std::vector<Provided>& all) {
   const auto fields = listed_keys(rule.fields);
   for (const Provided& provided : all) {
     const bool concerned = std::find(fields.begin(), fields.end(), provided.path) != fields.end();
@@ -218,7 +218,7 @@ const Provided* lacking_row(const RuleInfo& rule, const Record& record, const st
 }
 
 /// A row that has no value for an input, or none for the size of the part.
-Issue lacking_value(const StepInput& input, const Provided& provided, const Record& record) {
+Issue issue_of_missing_value(const StepInput& input, const Provided& provided, const Record& record) {
   const FieldInfo& field = *provided.field;
   const Provider& from = field.provider;
   const std::string instead = *from.unless == '\0' ? field.key : from.unless;
@@ -245,8 +245,8 @@ Issue lacking_value(const StepInput& input, const Provided& provided, const Reco
 
 Issue PreparedStep::broken_rule(std::size_t rule, const Record& record, const std::vector<Provided>& provided) const {
   const Calculator& calculator = *input().calculator;
-  if (const Provided* lacking = lacking_row(calculator.rules[rule], record, provided))
-    return lacking_value(input(), *lacking, record);
+  if (const Provided* missing = row_without_value(calculator.rules[rule], record, provided))
+    return issue_of_missing_value(input(), *missing, record);
   FieldFault fault = calculator.fault_of(rule, record.data.get());
   if (!calculator.rules[rule].only_warns) add_help(input(), calculator.rules[rule], record, fault);
   for (const std::string& field : listed_keys(calculator.rules[rule].fields)) {
@@ -321,8 +321,8 @@ bool may_be_filled(const Reading& reading, const std::string& path, const Step::
   return std::any_of(reading.taken.begin(), reading.taken.end(), [&](const Taken& taken) {
     if (taken.field == nullptr || taken.field->is_word()) return false;
     if (taken.field->type == FieldInfo::Type::list) return path.starts_with(taken.path);
-    const bool beside = taken.field->type == FieldInfo::Type::record;
-    const std::string base = beside ? taken.path.substr(0, taken.path.rfind('.') + 1) : taken.path + ".";
+    const bool is_record = taken.field->type == FieldInfo::Type::record;
+    const std::string base = is_record ? taken.path.substr(0, taken.path.rfind('.') + 1) : taken.path + ".";
     return path.starts_with(base) && of.may_have(taken.source + "." + path.substr(base.size()));
   });
 }
@@ -369,9 +369,9 @@ std::optional<Value> PreparedStep::row_beforehand(const FieldInfo& field, const 
 
 std::vector<std::string> PreparedStep::companions_of(const std::string& path) const {
   std::vector<std::string> all;
-  const std::string beside = name() + "." + path.substr(0, path.rfind('.') + 1);  // "train.shafts[2]."
+  const std::string prefix = name() + "." + path.substr(0, path.rfind('.') + 1);  // "train.shafts[2]."
   if (const FieldInfo* const found = field(path)) {
-    for (const std::string& key : listed_keys(found->companions)) all.push_back(beside + key);
+    for (const std::string& key : listed_keys(found->companions)) all.push_back(prefix + key);
   }
   for (const Provided& provided : provided_)
     all.insert(all.end(), provided.companions.begin(), provided.companions.end());

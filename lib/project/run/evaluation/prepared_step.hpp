@@ -7,7 +7,7 @@
 namespace loadpath::project {
 
 /// A load component that acts with one that an input takes.
-struct LoadBeside {
+struct LoadComponent {
   std::string path;   // of the component: "gears.gear_1.F_z"
   std::string input;  // that takes the other one: "seats[1].T"
 };
@@ -39,7 +39,7 @@ class PreparedStep : public Step {
   /// Whether a check or a limit is active: through an input that has a value, or that a row is to give.
   [[nodiscard]] bool is_asked(const FieldInfo& check, const Record& record) const;
   /// Components of its loads that it does not include; none may act (lib/project/run/evaluation/left_loads.hpp).
-  [[nodiscard]] const std::vector<LoadBeside>& rest_of_loads() const { return rest_; }
+  [[nodiscard]] const std::vector<LoadComponent>& components_not_included() const { return rest_; }
   /// Whether a rule of the calculator concerns an input, or the list that it is in.
   [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
 
@@ -54,7 +54,7 @@ class PreparedStep : public Step {
   const Axis* axis_ = nullptr;    // axis of the series among the inputs; null: one position
   std::set<std::string> series_;  // inputs whose expression is a series
   std::vector<Provided> provided_;
-  std::vector<LoadBeside> rest_;  // load components not included
+  std::vector<LoadComponent> rest_;  // load components not included
   std::vector<Search> searches_;
   std::map<std::string, Origin> origins_;
 };

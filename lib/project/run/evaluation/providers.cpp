@@ -18,7 +18,7 @@ Origin origin_of(const std::string& row, const table::Property& property) {
 /// Whether the row leaves the input as it is.
 bool lacks(const table::Entry& entry, const FieldInfo& field) {
   if (field.type == FieldInfo::Type::choice) return !table::kind_of(*entry.row, field);
-  return field.provider.may_lack && table::covered_size(entry, field.provider.column) == 0.0;
+  return field.provider.may_be_incomplete && table::covered_size(entry, field.provider.column) == 0.0;
 }
 
 /// The rows of a step, each looked up once.

@@ -105,7 +105,7 @@ bool Inputs::find_records(const std::set<std::string>& left_open, std::vector<Is
 void Inputs::take_word(const Taken& taken, std::vector<Issue>& issues) {
   const std::string word = known_.word(taken.source);
   if (word.empty()) {
-    if (!taken.may_lack) set_unavailable(unavailable(taken));
+    if (!taken.may_be_incomplete) set_unavailable(unavailable(taken));
     return;
   }
   const auto refuse = [&](Message message) {

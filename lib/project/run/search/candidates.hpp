@@ -27,7 +27,7 @@ struct Candidates {
   void leave_open(Inputs& inputs, Message why, std::vector<account::TriedSize> tried = {}) const;
 };
 /// A row that was found together with that of another step; empty: none passes.
-struct RowTogether {
+struct JointRow {
   std::string row;
   std::string with;  // that step
 };

@@ -132,7 +132,7 @@ void JointSearch::leave_all(const Message& why) {
 }
 
 /// Reports for each the result, and the reason why it is not smaller.
-void JointSearch::tell(const SizeIndices& least) {
+void JointSearch::report(const SizeIndices& least) {
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
     Message text =
         say("smallest of {1} with which no assessed mode fails, in combination with the other sizes", sizes_.stock(i));
@@ -140,7 +140,7 @@ void JointSearch::tell(const SizeIndices& least) {
     if (sizes_.at(i).at > 0) {
       next = next_of(least, i);
       text = next ? say("{1}; {2}: {3}", text, next->name, next->reason)
-                  : say("{1}; no smaller one goes with the others", text);
+                  : say("{1}; no smaller one passes with the others", text);
     }
     sizes_.set(least);
     Origin origin = stock_origin(*evaluation_.step().input().tables, sizes_.stock(i), std::move(text));

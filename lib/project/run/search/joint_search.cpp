@@ -290,7 +290,7 @@ void JointSearch::run(std::vector<Issue>& issues) {
   }
   if (!found && !set_largest(least)) return issues.push_back(no_sizes());
   if (!found) return leave_open(least);
-  if (in_words_) return tell(least);
+  if (in_words_) return report(least);
   sizes_.set(least);
   settle();
 }

@@ -69,7 +69,7 @@ class JointSearch {
   void leave_all(const Message& why);
   [[nodiscard]] std::string named_sizes() const;
   [[nodiscard]] Message given_place(const std::string& row) const;
-  void tell(const SizeIndices& least);
+  void report(const SizeIndices& least);
 
   Evaluation& evaluation_;
   Passing passing_;

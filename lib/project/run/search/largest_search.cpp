@@ -47,7 +47,7 @@ void LargestSearch::run(bool in_words, std::vector<Issue>& issues) {
     low = most * least_share;
     while (low < most && !passes_with(low)) low *= growth;
   }
-  if (low >= most) return tell_none(most * least_share, issues);
+  if (low >= most) return report_none(most * least_share, issues);
   double high = low * growth;
   for (; high < most && passes_with(high); high *= growth) low = high;
   if (high >= most) {
@@ -95,7 +95,7 @@ void LargestSearch::keep(double largest) {
 }
 
 /// Without a value there is neither a result nor a verdict.
-void LargestSearch::tell_none(double value, std::vector<Issue>& issues) {
+void LargestSearch::report_none(double value, std::vector<Issue>& issues) {
   leaf_.set(value);
   if (const auto rule = passing_.first_broken_rule()) return issues.push_back(evaluation_.broken_rule(*rule));
   evaluation_.inputs().set_unavailable(

@@ -19,7 +19,7 @@ class LargestSearch {
   bool excuse_unmoved(double most);
   void keep(double largest);
   /// Reports that not even `value` passes.
-  void tell_none(double value, std::vector<Issue>& issues);
+  void report_none(double value, std::vector<Issue>& issues);
 
   Evaluation& evaluation_;
   const Search& wanted_;

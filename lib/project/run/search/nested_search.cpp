@@ -115,7 +115,7 @@ void NestedSearch::run(std::vector<Issue>& issues) {
   passing_.excuse_sizeless();
   Choice choice(all_.size(), 0);
   if (!find(choice)) return leave_open();
-  if (in_words_) tell(choice);
+  if (in_words_) report(choice);
   take(choice);
   evaluation_.settle_sizes();
   if (in_words_) warn_of_customs(evaluation_, issues);
@@ -133,7 +133,7 @@ Message NestedSearch::name(const Choice& choice) const {
 }
 
 /// Reports for each the result, and the check that the candidate before it fails with the others unchanged.
-void NestedSearch::tell(const Choice& found) {
+void NestedSearch::report(const Choice& found) {
   const bool is_least = has_amount(evaluation_.calculator());
   for (std::size_t k = 0; k < all_.size(); ++k) {
     Message text =

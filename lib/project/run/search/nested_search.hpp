@@ -31,7 +31,7 @@ class NestedSearch {
   bool find_nearest(Choice& choice);
   /// The next choice, the last search fastest; false behind the last.
   [[nodiscard]] bool advance(Choice& choice) const;
-  void tell(const Choice& found);
+  void report(const Choice& found);
   void leave_open();
   [[nodiscard]] Message name(const Choice& choice) const;
 

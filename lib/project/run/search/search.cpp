@@ -50,7 +50,7 @@ bool waits_for_input(Evaluation& evaluation) {
 
 }  // namespace
 
-bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues, const RowTogether* together) {
+bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues, const JointRow* together) {
   const PreparedStep& step = evaluation.step();
   if (step.searches().empty() || waits_for_input(evaluation)) return true;
   const Search& wanted = step.searches().front();

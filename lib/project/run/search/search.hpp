@@ -12,8 +12,7 @@ namespace loadpath::project {
 
 /// Sets the searched inputs of the step, if any. An issue if no check is active, because any candidate would pass.
 /// `in_words`: the origin of the result explains why it is not smaller.
-bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues,
-                const RowTogether* together = nullptr);
+bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues, const JointRow* together = nullptr);
 
 /// Of a step that searches for one row: for each row the first one of its kind that passes, the number of rows if none
 /// does. `alike`: for each row the first one of its kind.

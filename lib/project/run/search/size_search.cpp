@@ -40,7 +40,7 @@ Message first_load(const Evaluation& evaluation) {
 
 }  // namespace
 
-SizeSearch::SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words, const RowTogether* together)
+SizeSearch::SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words, const JointRow* together)
     : evaluation_(evaluation),
       wanted_(wanted),
       in_words_(in_words),
@@ -86,22 +86,22 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   const auto from = static_cast<std::size_t>(start - sizes.begin());
   passing_.excuse_sizeless();
   std::size_t found = first_that_passes(from);
-  if (has_no_pair && found == candidates_.count()) return tell_none(from, issues);
+  if (has_no_pair && found == candidates_.count()) return report_none(from, issues);
   if (has_no_pair)
     return leave_open(say("{1}: none passes together with one of {2}", what_is_searched(), together_->with));
   const FailedValues unmoved = found == candidates_.count() ? unmoved_by_size(from) : FailedValues{};
   for (const auto& [row, value] : unmoved) passing_.excuse(row);
   const bool all_fail = std::ranges::any_of(unmoved, [](const auto& row) { return is_failure(*row.first.field); });
   if (!unmoved.empty()) found = first_that_passes(all_fail ? from : 0);
-  if (found == candidates_.count()) return tell_none(from, issues);
-  if (all_fail) return tell_unfit(found);
+  if (found == candidates_.count()) return report_none(from, issues);
+  if (all_fail) return report_nearest(found);
   if (in_words_) warn_of_passed_over(found, issues);
   candidates_.take(evaluation_.inputs(), found);
   evaluation_.settle_sizes();
   if (!in_words_) return note_found();
   warn_of_customs(evaluation_, issues);
   warn_of_found(evaluation_, wanted_, issues);
-  tell_found(found);
+  report_found(found);
 }
 
 bool SizeSearch::keeps_rules_with(std::size_t i) {
@@ -189,7 +189,7 @@ std::vector<account::TriedSize> SizeSearch::tried_around(std::size_t best) {
 }
 
 /// There is no result. Reports the nearest candidate, and its failures.
-void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
+void SizeSearch::report_none(std::size_t from, std::vector<Issue>& issues) {
   if (candidates_.count() == 0)
     return leave_open(say("no value of {1} suits '{2}'", candidates_.source(), wanted_.path));
   std::size_t best = nearest(std::min(from, candidates_.count() - 1));
@@ -210,7 +210,7 @@ void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
 
 /// All fail the same check or requirement, as roller bearings without ribs under an axial load. Reports the first that
 /// passes in all else.
-void SizeSearch::tell_unfit(std::size_t nearest) {
+void SizeSearch::report_nearest(std::size_t nearest) {
   candidates_.take(evaluation_.inputs(), nearest);
   evaluation_.settle_sizes();
   Passing whole(evaluation_);
@@ -282,7 +282,7 @@ Message SizeSearch::how_found(bool covered) const {
 }
 
 /// Reports the result, and the reason why the previous candidate is too small.
-void SizeSearch::tell_found(std::size_t found) {
+void SizeSearch::report_found(std::size_t found) {
   Passing whole(evaluation_);  // includes the excused ones
   const bool covered = passing_.count_of_excused() == 0 || whole.passes();
   Message text = how_found(covered);

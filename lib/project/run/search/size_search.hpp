@@ -13,7 +13,7 @@ namespace loadpath::project {
 class SizeSearch {
  public:
   /// `in_words`: the result explains why it is not smaller.
-  SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words, const RowTogether* together);
+  SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words, const JointRow* together);
   void run(std::vector<Issue>& issues);
 
  private:
@@ -27,14 +27,14 @@ class SizeSearch {
   std::size_t nearest(std::size_t from);
   void keep_sizing_results();
   /// No candidate passes.
-  void tell_none(std::size_t from, std::vector<Issue>& issues);
-  void tell_unfit(std::size_t nearest);
+  void report_none(std::size_t from, std::vector<Issue>& issues);
+  void report_nearest(std::size_t nearest);
   void refuse_all(std::vector<Issue>& issues);
   [[nodiscard]] account::TriedSize tried(std::size_t i);
   [[nodiscard]] std::vector<account::TriedSize> tried_around(std::size_t best);
   void leave_open(Message why, std::vector<account::TriedSize> tried = {});
   void warn_of_passed_over(std::size_t found, std::vector<Issue>& issues);
-  void tell_found(std::size_t found);
+  void report_found(std::size_t found);
   void note_found();
   [[nodiscard]] const BodySize* size_of_body() const;
   [[nodiscard]] Message what_is_searched() const;
@@ -43,7 +43,7 @@ class SizeSearch {
   Evaluation& evaluation_;
   const Search& wanted_;
   bool in_words_;
-  const RowTogether* together_;  // null: the row is searched for here
+  const JointRow* together_;  // null: the row is searched for here
   Candidates candidates_;
   Passing passing_;
 };

@@ -29,7 +29,7 @@ struct ColumnLayout : ColumnPlan {
   void bound_last(const std::string& path);
   bool add_companions(const PointColumns& points);
   bool add_absent(const Provided& provided, const PointColumns& points);
-  [[nodiscard]] bool may_be_held(const LoadBeside& component) const;
+  [[nodiscard]] bool may_be_held(const LoadComponent& component) const;
   bool add_left(const PointColumns& points);
   bool add_values_of_rows();
   [[nodiscard]] std::string size_field() const;
@@ -72,12 +72,13 @@ bool ColumnLayout::lay_out(const std::set<std::string>& wanted, const PointColum
 bool ColumnLayout::is_plain() const {
   const Reading& reading = step.input().reading;
   return reading.taken.empty() && reading.whole.empty() && !step.goes_point_by_point() &&
-         !step.account().results.empty() && step.loads().lacking_factor.empty();
+         !step.account().results.empty() && step.loads().missing_factor.empty();
 }
 
 bool ColumnLayout::is_fed(std::string_view field) const {
-  return std::any_of(fed.begin(), fed.end(),
-                     [&](const Fed& f) { return std::string_view(f.path()).substr(step.name().size() + 1) == field; });
+  return std::any_of(fed.begin(), fed.end(), [&](const ColumnInput& f) {
+    return std::string_view(f.path()).substr(step.name().size() + 1) == field;
+  });
 }
 
 /// The offset of a varying input in the record; nothing if it is not fixed, or affects more than numbers.
@@ -103,7 +104,7 @@ bool ColumnLayout::add_fed(const PointColumns& points) {
     const auto place = place_of(*operand.leaf.field, operand.path);
     if (!place) return false;
     const Value* const now = step.value(operand.path);
-    const bool is_open = operand.may_lack && (now == nullptr || std::isnan(now->si[0]));
+    const bool is_open = operand.may_be_incomplete && (now == nullptr || std::isnan(now->si[0]));
     fed.emplace_back(step.name() + "." + operand.path, *operand.leaf.field, *place, operand.expression, is_open,
                      points);
     bound_last(operand.path);
@@ -144,7 +145,7 @@ bool ColumnLayout::add_companions(const PointColumns& points) {
 }
 
 /// Whether an input other than the one that takes the load has this component, or may have it at another point.
-bool ColumnLayout::may_be_held(const LoadBeside& component) const {
+bool ColumnLayout::may_be_held(const LoadComponent& component) const {
   const std::string own = prefix_of(component.input) + component.path.substr(component.path.rfind('.') + 1);
   const auto is_given = [&](const std::string& path) {
     const Leaf leaf = find_leaf(record, path);
@@ -157,7 +158,7 @@ bool ColumnLayout::may_be_held(const LoadBeside& component) const {
 /// False if inputs may hold what is left out: that would have to be asked at each point.
 bool ColumnLayout::add_left(const PointColumns& points) {
   const auto acting = listed_keys(step.loads().left);
-  for (const LoadBeside& component : step.rest_of_loads()) {
+  for (const LoadComponent& component : step.components_not_included()) {
     if (may_be_held(component)) return false;
     const std::string& path = component.path;
     const auto signature = points.signatures.find(path);
@@ -269,7 +270,7 @@ void ColumnLayout::add_rules() {
     };
     const bool concerned =
         std::any_of(fed.begin(), fed.end(),
-                    [&](const Fed& f) { return names(f.path().substr(step.name().size() + 1)); }) ||
+                    [&](const ColumnInput& f) { return names(f.path().substr(step.name().size() + 1)); }) ||
         std::any_of(sized.begin(), sized.end(), [&](const Sized& value) { return names(value.field()); });
     rules[rule] = static_cast<char>(concerned);
   }

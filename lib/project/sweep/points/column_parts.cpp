@@ -14,10 +14,10 @@ namespace loadpath::project {
 
 void ColumnParts::feed(PointColumns& points) {
   in.clear();
-  for (Fed& input : fed) {
+  for (ColumnInput& input : fed) {
     input.fill(points, axis);
     if (!input.is_open()) in.push_back({input.offset(), input.si().data()});
-    input.tell(points, axis);
+    input.write(points, axis);
   }
   inputs_fed = in.size();
   for (const std::string& path : absent) {  // a component present at another point loads the part there
@@ -83,7 +83,7 @@ void ColumnParts::read_sizes(PointColumns& points, std::vector<double>& next) {
     return;
   }
   if (size->fed) {
-    const Fed& from = fed[*size->fed];
+    const ColumnInput& from = fed[*size->fed];
     for (std::size_t point = 0; point < points.count; ++point)
       next[point] = largest_of(from.si(), point, from.field().dimension).value;
     return;
@@ -116,9 +116,10 @@ void ColumnParts::settle_sizes(PointColumns& points) {
 /// Leaves points where every load is zero.
 void ColumnParts::leave_unloaded(PointColumns& points) const {
   if (is_loaded || !is_load_told) return;
-  if (std::any_of(fed.begin(), fed.end(), [](const Fed& f) { return f.field().is_load && all_act(f.si()); })) return;
+  if (std::any_of(fed.begin(), fed.end(), [](const ColumnInput& f) { return f.field().is_load && all_act(f.si()); }))
+    return;
   for (std::size_t point = 0; point < points.count; ++point) {
-    const auto loads = [&](const Fed& f) {
+    const auto loads = [&](const ColumnInput& f) {
       const auto first = f.si().begin() + static_cast<std::ptrdiff_t>(point * positions());
       return f.field().is_load && std::any_of(first, first + static_cast<std::ptrdiff_t>(positions()), account::acts);
     };
@@ -207,16 +208,16 @@ void ColumnParts::check_inputs(PointColumns& points) {
 }
 
 /// Sizes that were found and values of rows, one number a point: others may refer to them.
-void ColumnParts::tell_found(PointColumns& points) const {
-  const auto tell_one = [&](const std::string& field, const double* si) {
+void ColumnParts::report_found(PointColumns& points) const {
+  const auto write_one = [&](const std::string& field, const double* si) {
     const std::string path = step.name() + "." + field;
     if (!points.signatures.contains(path)) return;
     std::vector<double>& values = points.values[path];
     values.resize(points.count);
     for (std::size_t point = 0; point < points.count; ++point) values[point] = si[point * positions()];
   };
-  for (const Sized& value : sized) tell_one(value.field(), value.si());
-  if (sought) tell_one(step.searches().front().path, sought->si.data());
+  for (const Sized& value : sized) write_one(value.field(), value.si());
+  if (sought) write_one(step.searches().front().path, sought->si.data());
 }
 
 /// Values beyond the range of numbers are not available; a point with a missing check is handed over.
@@ -235,7 +236,7 @@ void ColumnParts::check_number(Read& number, PointColumns& points) const {
   }
 }
 
-void ColumnParts::tell(const Read& number, PointColumns& points) const {
+void ColumnParts::write(const Read& number, PointColumns& points) const {
   if (!number.is_wanted) return;
   if (axis == nullptr)
     points.values[number.path] = number.si;
@@ -257,14 +258,15 @@ void ColumnParts::run(PointColumns& points) {
   if (!sought) evaluate_read(points.count * positions());  // otherwise the last candidates have been
   for (Read& number : read) {
     check_number(number, points);
-    tell(number, points);
+    write(number, points);
   }
 }
 
 /// A check or a limit at every point: over positions the largest, or the value farthest beyond its bounds.
 std::span<const double> ColumnParts::worst_of(Read& number, std::size_t n) {
   if (axis == nullptr) return number.si;
-  const bool is_known = sought && number.field->role == Role::check && !number.field->is_beside;  // result of a search
+  const bool is_known =
+      sought && number.field->role == Role::check && !number.field->is_informative;  // result of a search
   for (std::size_t point = 0; point < n && !is_known; ++point) {
     const auto here = std::span(number.si).subspan(point * positions(), positions());
     number.worst[point] = number.field->role == Role::check

@@ -42,8 +42,8 @@ struct ColumnParts : ColumnPlan {
   [[nodiscard]] Extreme largest_of(std::span<const double> si, std::size_t point, const Dimension& dimension);
   void run(PointColumns& points);
   void check_number(Read& number, PointColumns& points) const;
-  void tell(const Read& number, PointColumns& points) const;
-  void tell_found(PointColumns& points) const;
+  void write(const Read& number, PointColumns& points) const;
+  void report_found(PointColumns& points) const;
   void check_inputs(PointColumns& points);
   void ask(PointColumns& points, std::span<const char> asked_rules);
   void ask_rules(PointColumns& points, std::span<const char> asked_rules);

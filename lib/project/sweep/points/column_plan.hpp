@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lib/account/fold.hpp"
-#include "lib/project/sweep/points/fed.hpp"
+#include "lib/project/sweep/points/column_input.hpp"
 #include "lib/project/sweep/points/sized.hpp"
 
 #include <cstddef>
@@ -80,7 +80,7 @@ struct ColumnPlan {
   const Calculator& calculator;
   const Axis* axis;  // null: one position
   Record record, result;
-  std::vector<Fed> fed;
+  std::vector<ColumnInput> fed;
   std::vector<LeftComponent> left_components = {};
   std::vector<std::string> absent;  // load components that were absent where this was laid out
   std::vector<Sized> sized;

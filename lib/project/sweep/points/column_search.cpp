@@ -116,7 +116,7 @@ void ColumnParts::ask_candidates(PointColumns& points) {
 
 bool ColumnParts::fits(std::size_t point) {
   return sought->breaks[point] == 0 && std::all_of(read.begin(), read.end(), [&](Read& number) {
-           return !number.is_row || number.field->is_beside || number.field->is_sizeless || is_kept(number, point);
+           return !number.is_row || number.field->is_informative || number.field->is_sizeless || is_kept(number, point);
          });
 }
 

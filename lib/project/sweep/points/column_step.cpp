@@ -21,7 +21,7 @@ void ColumnStep::evaluate(PointColumns& points, std::vector<account::ModeColumns
   parts_->leave_other_components(points);
   parts_->check_inputs(points);
   parts_->leave_bolder(points);
-  parts_->tell_found(points);
+  parts_->report_found(points);
   parts_->run(points);
   parts_->judge(points, modes);
 }

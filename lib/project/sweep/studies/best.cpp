@@ -46,7 +46,7 @@ std::vector<sweep::Scattered> scatter_of(const std::vector<SweptInput>& inputs) 
   return all;
 }
 
-std::vector<sweep::Statistic> statistics_of(const BestAsked& asked, const std::vector<Demand>& demands) {
+std::vector<sweep::Statistic> statistics_of(const BestRequest& asked, const std::vector<Demand>& demands) {
   using Statistic = sweep::Statistic;
   const double p = *asked.quantile;
   std::vector<Statistic> all{{0, Statistic::Kind::quantile, asked.maximise ? 1.0 - p : p}};
@@ -58,7 +58,7 @@ std::vector<sweep::Statistic> statistics_of(const BestAsked& asked, const std::v
   return all;
 }
 
-std::vector<sweep::Constraint> constraints_of(const BestAsked& asked, const std::vector<Demand>& demands) {
+std::vector<sweep::Constraint> constraints_of(const BestRequest& asked, const std::vector<Demand>& demands) {
   std::vector<sweep::Constraint> all;
   for (std::size_t i = 0; i < demands.size(); ++i) {
     const bool is_followed = i + 1 < demands.size() && demands[i + 1].kind == Kind::is_one;  // by its flag: see above
@@ -78,7 +78,7 @@ std::string unit_of(const Placed& asked, Project& project, std::vector<Issue>& i
 
 /// A search chooses each input separately: inputs that vary in parallel would be crossed. A Pareto set of one objective
 /// is the best design, too.
-void refuse_zips(const BestAsked& asked, const SweepSettings& settings, std::vector<Issue>& issues) {
+void refuse_zips(const BestRequest& asked, const SweepSettings& settings, std::vector<Issue>& issues) {
   const std::string& objective = asked.objective.text;
   const bool is_result = meant(objective, asked.results) != objective;
   const std::string result = is_result ? "" : "--results \"x = " + name_and_text(objective).second + "\" ";
@@ -94,7 +94,7 @@ void refuse_zips(const BestAsked& asked, const SweepSettings& settings, std::vec
 }
 
 /// Objective and demands as columns, whose texts it returns; nothing, with issues, if they cannot be read.
-std::vector<std::string> form_columns(const Searching& searching, const BestAsked& asked, Best& best,
+std::vector<std::string> form_columns(const Searching& searching, const BestRequest& asked, Best& best,
                                       std::vector<Issue>& issues) {
   best.demands = demands_of(asked.such_that, asked.results, issues);
   if (has_errors(issues)) return {};
@@ -121,7 +121,7 @@ std::vector<double> outputs_at(Variants& variants, const std::vector<double>& po
 }
 
 /// The reason why a point is invalid, or the failure mode without a verdict.
-Message lack_of(Variants& variants, const std::vector<double>& point) {
+Message cause_of(Variants& variants, const std::vector<double>& point) {
   const std::vector<double> found = outputs_at(variants, point);
   if (!variants.refusals().empty()) {
     const Issue& issue = variants.refusals().front().issue;
@@ -158,31 +158,32 @@ Message failure_of(Variants& variants, const std::vector<double>& point) {
 
 /// Why a design violates a demand with this value; nothing where the demand says it all.
 Message reason_at(Variants& variants, const Demand& demand, double value, const std::vector<double>& point) {
-  Message lack = std::isfinite(value) ? Message{} : lack_of(variants, point);
+  Message reason = std::isfinite(value) ? Message{} : cause_of(variants, point);
   const bool is_verdict = demand.text.ends_with("passes") || is_utilisation(demand.column);
-  return lack.empty() && is_verdict ? failure_of(variants, point) : lack;
+  return reason.empty() && is_verdict ? failure_of(variants, point) : reason;
 }
 
 /// Reasons that searches ignore but the reader needs.
-void find_lacks(Variants& variants, Best& best) {
+void find_reasons(Variants& variants, Best& best) {
   const auto point_at = [&](const std::vector<double>& chosen) {
     std::vector<double> point = best.point;
     for (std::size_t k = 0; k < best.chosen.size(); ++k) point[best.chosen[k]] = chosen[k];
     return point;
   };
-  const auto reason = [&](std::size_t broken, const std::vector<double>& outputs, const std::vector<double>& chosen) {
+  const auto reason_of = [&](std::size_t broken, const std::vector<double>& outputs,
+                             const std::vector<double>& chosen) {
     if (broken >= best.demands.size()) return Message{};
     return reason_at(variants, best.demands[broken], outputs[broken + 1], point_at(chosen));
   };
   const sweep::Optimum& optimum = best.optimum;
-  best.lacks.reserve(optimum.neighbours.size());
-  for (const sweep::Neighbour& n : optimum.neighbours) best.lacks.push_back(reason(n.broken, n.outputs, n.point));
-  if (!optimum.allowed) best.lack = reason(optimum.worst, optimum.outputs, optimum.point);
+  best.reasons.reserve(optimum.neighbours.size());
+  for (const sweep::Neighbour& n : optimum.neighbours) best.reasons.push_back(reason_of(n.broken, n.outputs, n.point));
+  if (!optimum.allowed) best.reason = reason_of(optimum.worst, optimum.outputs, optimum.point);
   if (optimum.allowed) best.fails = failure_of(variants, point_at(optimum.point));
 }
 
 /// Objective and demands of the designs at the requested quantile.
-std::unique_ptr<sweep::Robust> robust_of(sweep::Function& function, const Best& best, const BestAsked& asked,
+std::unique_ptr<sweep::Robust> robust_of(sweep::Function& function, const Best& best, const BestRequest& asked,
                                          const DrawnSamples& drawn, std::uint64_t samples) {
   const auto fill = [&drawn](std::uint64_t first, std::size_t n, std::span<double* const> columns) {
     drawn.fill(first, n, columns);
@@ -200,7 +201,7 @@ constexpr double risk = 0.05;  // of a confidence of 95 %
 double samples_needed(double quantile) { return std::ceil(std::log(risk) / std::log(quantile)); }
 double shown_by(std::uint64_t samples) { return std::pow(risk, 1.0 / static_cast<double>(samples)); }
 
-std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, const SweepSettings& settings,
+std::optional<Best> find_best(const Searching& searching, const BestRequest& asked, const SweepSettings& settings,
                               std::vector<Issue>& issues) {
   Best best;
   refuse_zips(asked, settings, issues);
@@ -215,8 +216,8 @@ std::optional<Best> find_best(const Searching& searching, const BestAsked& asked
     (is_chosen(best.inputs[i]) ? best.chosen : scattering).push_back(i);
   }
   if (best.chosen.empty()) {
-    issues.push_back(refusal(asked.objective, say("there is nothing to choose"),
-                             say("let an input be a list, a range, { each = \"R40\" } or { from = ..., to = ... }")));
+    issues.push_back(refusal(asked.objective, say("there are no designs to choose from"),
+                             say("make an input a list, a range, { each = \"R40\" } or { from = ..., to = ... }")));
     return std::nullopt;
   }
   best.point = middles_of(best.inputs);
@@ -235,7 +236,7 @@ std::optional<Best> find_best(const Searching& searching, const BestAsked& asked
   for (const std::size_t i : best.chosen) problem.variables.push_back(variable_of(best.inputs[i]));
   best.optimum = sweep::minimise(problem);
   for (std::size_t k = 0; k < best.chosen.size(); ++k) best.point[best.chosen[k]] = best.optimum.point[k];
-  find_lacks(variants, best);
+  find_reasons(variants, best);
   return best;
 }
 

@@ -15,7 +15,7 @@
 namespace loadpath::project {
 
 /// The request as the user writes it.
-struct BestAsked {
+struct BestRequest {
   Placed objective;  // "rod.mass", or "m = rod.mass"
   bool maximise = false;
   std::vector<Placed> such_that;        // "every mode passes", "rod passes", "rod.mass <= 5 kg"; none: the first
@@ -30,10 +30,10 @@ struct Best {
   std::string objective;            // its name
   std::string unit;                 // unit of the objective
   std::vector<Demand> demands;
-  sweep::Optimum optimum;      // over the chosen ones; its outputs are the objective, then the demands
-  std::vector<Message> lacks;  // per neighbour, why the violated constraint has no value, or the mode that fails
-  Message fails;               // the failure mode that the best design fails, where no constraint is about it
-  Message lack;                // the same of the nearest design, if none satisfies the constraints
+  sweep::Optimum optimum;        // over the chosen ones; its outputs are the objective, then the demands
+  std::vector<Message> reasons;  // per neighbour, why the violated constraint has no value, or the mode that fails
+  Message fails;                 // the failure mode that the best design fails, where no constraint is about it
+  Message reason;                // the same of the nearest design, if none satisfies the constraints
   std::optional<double> quantile = {};  // the requested one
   std::uint64_t samples = 0;            // of each design; 0: no input scatters
 };
@@ -46,7 +46,7 @@ double shown_by(std::uint64_t samples);
 /// Inputs with values, words and stocks are chosen from these, { from, to } from the interval; uncertain inputs
 /// stay at their mean, or scatter if a quantile is requested: the samples of a design are those of a sweep with the
 /// same settings. Issues if the request cannot be read.
-std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, const SweepSettings& settings,
+std::optional<Best> find_best(const Searching& searching, const BestRequest& asked, const SweepSettings& settings,
                               std::vector<Issue>& issues);
 
 struct SoughtValue {

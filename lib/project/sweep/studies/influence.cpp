@@ -31,7 +31,7 @@ std::optional<Influence> find_influence(const Searching& searching, const SweepP
     numbers.push_back(i);
     influence.inputs.push_back(input);
   }
-  if (numbers.empty()) return refuse(say("no numeric input varies"), say("let one be a range, or uncertain"));
+  if (numbers.empty()) return refuse(say("no numeric input varies"), say("make one a range, or uncertain"));
   for (const SweptResult& column : plan.columns) {
     influence.names.push_back(column.name);
     influence.units.push_back(column.unit);

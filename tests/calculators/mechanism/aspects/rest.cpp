@@ -197,7 +197,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
     CHECK(std::get<account::Quantity>(*share).si == doctest::Approx(2.0 / 3.0).epsilon(1e-6));
     const auto back = solved(
         replaced(replaced(lift, "efficiency = 0.4, efficiency_back = -0.5", "efficiency = 0.8"), "10 N*m", "-10 N*m"));
-    const account::Table* power = table_of(back, "Power over the turn");
+    const account::Table* power = table_of(back, "Power over the revolution");
     REQUIRE(power != nullptr);
     const account::Cell* eta = cell_of(*power, "efficiency of the reversed flow");
     if (value(back, "a.drive.M") < 0.0) {

@@ -173,7 +173,7 @@ TEST_SUITE("mechanism cams") {
     CHECK(said("angle = \"40 deg\"", "angle = \"50 deg\"") ==
           "valve.profiles.lobe.segments: the segments cover 370 deg of the cam, and must cover a full revolution");
     CHECK(said("\"-12 mm\"", "\"-10 mm\"") ==
-          "valve.profiles.lobe.segments: after a revolution the follower is 2 mm away from where it started");
+          "valve.profiles.lobe.segments: after a revolution the follower is 2 mm away from its initial position");
     CHECK(said("base = \"30 mm\"", "offset = \"45 mm\"\nbase = \"30 mm\"") ==
           "valve.profiles.lobe.offset: the guide passes the cam at 45 mm, and base circle and roller reach 40 mm");
     CHECK(said("base = \"30 mm\"\n", "") == "valve.profiles.lobe: profile 'lobe' of the shape sliding needs base");
@@ -241,7 +241,7 @@ TEST_SUITE("mechanism cams") {
     const auto open = told(replaced(arm, "\"-15 deg\"", "\"-14 deg\"")).issues;
     REQUIRE(open.size() == 1);
     CHECK(open[0].key == "a.segments");
-    CHECK(open[0].message.text() == "after a revolution the follower is 1 deg away from where it started");
+    CHECK(open[0].message.text() == "after a revolution the follower is 1 deg away from its initial position");
   }
 
   TEST_CASE("a drawing for other programs has the profile on a layer of its own") {

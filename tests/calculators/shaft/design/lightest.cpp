@@ -142,7 +142,7 @@ struct Enumeration {
     bool all = true;
     for_each_leaf(result, [&](const std::string&, const Leaf& leaf) {
       const FieldInfo& f = *leaf.field;
-      if ((f.role != Role::check && f.role != Role::limit) || f.is_beside || !step.is_asked(f, record)) return;
+      if ((f.role != Role::check && f.role != Role::limit) || f.is_informative || !step.is_asked(f, record)) return;
       const double x = leaf.get();
       if (std::isnan(x))
         all = all && f.where_set;

@@ -167,7 +167,7 @@ TEST_SUITE("smallest shafts" * test::by_case) {
     for (int i = 0; i < shafts; ++i) {
       const Shaft shaft = random_shaft(draw);
       const Solved solved(shaft.text(shaft.given));
-      if (!passes(solved)) continue;  // of fillets that are outside of Peterson's range next to the steps of bearings
+      if (!passes(solved)) continue;  // of fillets that are outside Peterson's range next to the steps of bearings
       ++found;
       tried += try_smaller(shaft, solved);
     }

@@ -258,9 +258,8 @@ TEST_SUITE("shaft over a turn") {
           std::string::npos);
     CHECK(errors(forces + "T = \"=press.shafts.O.T\", psi = \"0 deg\", n = \"60 rpm\" }")
               .find("a single angle means a shaft at rest") != std::string::npos);
-    CHECK(
-        errors(forces + "T = \"=press.shafts.O.T\", psi = \"=2.5*press.shafts.O.psi\" }").find("is not where it was") !=
-        std::string::npos);
+    CHECK(errors(forces + "T = \"=press.shafts.O.T\", psi = \"=2.5*press.shafts.O.psi\" }")
+              .find("is not at its initial angle") != std::string::npos);
     CHECK(errors(forces + "T = \"=press.shafts.O.T\", psi = \"=2*press.shafts.O.psi\" }").empty());
     CHECK(errors(forces + "T = \"-5 N*m\", psi = \"=press.shafts.O.psi\" }").find("no sign of its own") !=
           std::string::npos);

@@ -47,7 +47,7 @@ TEST_SUITE("draw") {
 
   TEST_CASE("places next to a line do not touch it") {
     for (const Point to : {Point{90, 50}, Point{50, 90}, Point{80, 20}, Point{10, 30}}) {
-      for (const Candidate& c : beside({50, 50}, to, 3.0, 40.0)) {
+      for (const Candidate& c : along_segment({50, 50}, to, 3.0, 40.0)) {
         Labels labels({-1e3, -1e3, 1e3, 1e3});
         labels.keep_off({{50, 50}, to}, 1.0);
         CHECK(labels.place_free({c}).has_value());

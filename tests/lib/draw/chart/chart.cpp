@@ -30,9 +30,9 @@ Chart cloud() {
   chart.worst = {0};
   chart.steps = true;
   chart.points = {7, 8, 9, 10};
-  chart.told = {{"material", "", {0.0, 1.0, 0.0, 1.0}, {"</script><b>", "S\"235\\"}},
-                {"mass", "kg", {1.0, 2.0, 3.0, nan}},
-                {"verdict", "", {0.0, 1.0, 2.0, 2.0}, {"fails", "passes", "no result"}}};
+  chart.readout = {{"material", "", {0.0, 1.0, 0.0, 1.0}, {"</script><b>", "S\"235\\"}},
+                   {"mass", "kg", {1.0, 2.0, 3.0, nan}},
+                   {"verdict", "", {0.0, 1.0, 2.0, 2.0}, {"fails", "passes", "no result"}}};
   chart.command = "loadpath run a.toml --point ";
   chart.shown = 1;
   return chart;
@@ -125,18 +125,18 @@ TEST_SUITE("charts") {
   }
 
   TEST_CASE("the data are JSON that cannot end a script") {
-    const InteractiveChart told = interactive_chart(figure_of(cloud()));
-    CHECK(well_formed(told.svg));
-    CHECK(has(told.svg, "data-here"));
-    CHECK(!has(told.data, "<"));
-    const auto data = boost::json::parse(told.data).as_object();
+    const InteractiveChart drawn = interactive_chart(figure_of(cloud()));
+    CHECK(well_formed(drawn.svg));
+    CHECK(has(drawn.svg, "data-here"));
+    CHECK(!has(drawn.data, "<"));
+    const auto data = boost::json::parse(drawn.data).as_object();
     CHECK(data.at("points").as_array().size() == 3);  // the last has no place
     CHECK(data.at("shown").as_int64() == 1);
-    const auto& material = data.at("told").as_array().at(0).as_array();
+    const auto& material = data.at("readout").as_array().at(0).as_array();
     CHECK(material.at(0).as_array().at(0).as_string() == "</script><b>");
     CHECK(material.at(0).as_array().at(1).as_string() == "S\"235\\");
     CHECK(material.at(1).as_string() == "0 1 0");
-    CHECK(data.at("told").as_array().at(1).as_array().at(1).as_string() == "1 2 3");
+    CHECK(data.at("readout").as_array().at(1).as_array().at(1).as_string() == "1 2 3");
   }
 
   TEST_CASE("a chart without any dot states so") {

@@ -266,12 +266,12 @@ TEST_SUITE("mechanism in columns") {
   TEST_CASE("an assembly at a change point is reported, whatever state a cycle has left it in") {
     Model model = models::four_bar();
     CycleColumns columns(model, 30, all);
-    CHECK(columns.stands_clear());
+    CHECK(columns.is_regular_at_start());
     columns.solve(turn_from(columns.coordinate(0), 6.2, 30, 10.0));
-    CHECK_FALSE(columns.stands_clear());  // it has moved on: there is no assembly to ask about
+    CHECK_FALSE(columns.is_regular_at_start());  // it has moved on: there is no assembly to ask about
     CHECK(columns.take(model) == Status::closed);
-    CHECK(columns.stands_clear());
-    CHECK_FALSE(CycleColumns(models::class_three(), 4).stands_clear());
+    CHECK(columns.is_regular_at_start());
+    CHECK_FALSE(CycleColumns(models::class_three(), 4).is_regular_at_start());
   }
 
   TEST_CASE("without inertia, and without the results that are not kept") {

@@ -185,14 +185,14 @@ TEST_SUITE("the best machine" * test::by_case) {
   TEST_CASE("a neighbour that is an invalid design states the reason") {
     const std::string text = tube + "d = [\"45 mm\", \"50 mm\"]\nd_bore = [\"20 mm\", \"50 mm\"]\nP = \"20 kN\"\n";
     std::vector<Issue> issues;
-    const project::BestAsked wanted{asked(area), false, {asked("strut passes")}, {}, {}};
+    const project::BestRequest wanted{asked(area), false, {asked("strut passes")}, {}, {}};
     const auto best = project::find_best({reader(text)}, wanted, drawn(10), issues);
     REQUIRE(best);
     REQUIRE(best->optimum.allowed);
-    REQUIRE(best->lacks.size() == best->optimum.neighbours.size());
+    REQUIRE(best->reasons.size() == best->optimum.neighbours.size());
     std::size_t none = 0;
-    for (std::size_t i = 0; i < best->lacks.size(); ++i) {
-      const std::string why = best->lacks[i].text();
+    for (std::size_t i = 0; i < best->reasons.size(); ++i) {
+      const std::string why = best->reasons[i].text();
       CHECK(why.empty() == std::isfinite(best->optimum.neighbours[i].outputs[1]));
       if (why.empty()) continue;
       ++none;
@@ -216,11 +216,11 @@ TEST_SUITE("the best machine" * test::by_case) {
     std::vector<Issue> issues;
     const auto sought = project::seek_value({reader(text)}, asked("shaft.tau_max = 20 MPa"), issues);
     REQUIRE(sought);
-    REQUIRE(sought->sought.meetings.size() == 1);
-    CHECK(sought->sought.meetings[0].at == Approx(std::cbrt(16.0 * 500.0 / (M_PI * 20e6))).epsilon(1e-12));
+    REQUIRE(sought->sought.solutions.size() == 1);
+    CHECK(sought->sought.solutions[0].at == Approx(std::cbrt(16.0 * 500.0 / (M_PI * 20e6))).epsilon(1e-12));
     const auto none = project::seek_value({reader(text)}, asked("shaft.tau_max = 1 Pa"), issues);
     REQUIRE(none);
-    CHECK(none->sought.meetings.empty());
+    CHECK(none->sought.solutions.empty());
     CHECK(none->sought.nearest == Approx(0.09));
     CHECK_FALSE(project::seek_value({reader(text)}, asked("shaft.tau_max = 30 mm"), issues));
     CHECK(contains(issues.back().message.text(), "shaft.tau_max"));
@@ -311,8 +311,8 @@ TEST_SUITE("the best machine" * test::by_case) {
     const auto best = project::find_best({reader(text)}, {asked("a.d"), false, {}, {}, {}}, drawn(10), issues);
     REQUIRE(best);
     CHECK_FALSE(best->optimum.allowed);
-    REQUIRE(best->lacks.size() == 1);
-    CHECK_MESSAGE(contains(best->lacks[0].text(), "is not assessed"), best->lacks[0].text());
+    REQUIRE(best->reasons.size() == 1);
+    CHECK_MESSAGE(contains(best->reasons[0].text(), "is not assessed"), best->reasons[0].text());
   }
 
   TEST_CASE("an objective and a requirement may have a name") {

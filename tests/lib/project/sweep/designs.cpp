@@ -16,7 +16,7 @@ using namespace loadpath;
 using account::State;
 using project::DesignRow;
 using project::Designs;
-using project::DesignsAsked;
+using project::DesignsRequest;
 using project::SolvedBlock;
 
 constexpr double refused = account::refused_state;
@@ -54,7 +54,7 @@ SolvedBlock block_of(const Points& all, std::size_t first, std::size_t n) {
   return block;
 }
 
-DesignsAsked asked(std::uint64_t samples, std::size_t most = 1000) {
+DesignsRequest asked(std::uint64_t samples, std::size_t most = 1000) {
   return {.samples = samples, .results = 1, .modes = 1, .quantile = 0.9, .most = most};
 }
 
@@ -176,7 +176,7 @@ TEST_SUITE("designs of sweeps") {
   }
 
   TEST_CASE("the Pareto set is of quantiles, not of lucky samples") {
-    DesignsAsked two = asked(100);
+    DesignsRequest two = asked(100);
     two.columns = {0};
     two.aims = {sweep::Aim::max};
     Designs designs(two);

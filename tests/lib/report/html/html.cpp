@@ -144,11 +144,11 @@ TEST_SUITE("report") {
   TEST_CASE("a narrow table is next to the following one, its units in the head") {
     const Table narrow{
         say("pieces"), {say("no."), say("d")}, {{"a", Quantity{0.03, "mm"}}, {"b", Quantity{0.04, "mm"}}}};
-    CHECK(contains(body({narrow}), "<div class=\"table beside\">"));
+    CHECK(contains(body({narrow}), "<div class=\"table half\">"));
     CHECK(contains(body({narrow}), "<span class=\"unit\">mm</span>"));
     Table sentences = narrow;
     sentences.rows[0][0] = say("a sentence that breaks");
-    CHECK_FALSE(contains(body({sentences}), "beside"));
+    CHECK_FALSE(contains(body({sentences}), "table half"));
   }
 
   TEST_CASE("headings are numbered, tables and figures count through the page") {

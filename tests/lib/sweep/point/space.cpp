@@ -257,7 +257,7 @@ TEST_SUITE("points of sweeps") {
     CHECK(contradicts.message.text() ==
           "the correlation of T and R_e contradicts the others: the matrix is not positive definite");
     // 0.45 +- sqrt(0.19 * 0.75) = 0.45 +- 0.377492
-    CHECK(contradicts.hint.text() == "with the others as they are it lies between 0.07251 and 0.8275");
+    CHECK(contradicts.hint.text() == "with the other correlations unchanged it must be between 0.07251 and 0.8275");
   }
 
   TEST_CASE("impossible spaces are refused") {

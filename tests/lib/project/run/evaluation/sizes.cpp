@@ -82,7 +82,7 @@ TEST_SUITE("sizes of rows") {
     auto project = project::read_project(strip("\"100 kN\""), "a.toml", with_strip(), issues);
     project::solve(project, issues);
     REQUIRE(issues.empty());
-    const std::string why = "the size 'w' does not settle: it alternates between 25 mm and 66.67 mm";
+    const std::string why = "the size 'w' does not converge: it alternates between 25 mm and 66.67 mm";
     const auto verdicts = project::verdicts(project);
     REQUIRE(verdicts.size() == 1);
     CHECK(verdicts[0].state == account::State::not_available);

@@ -2,7 +2,7 @@
 // between steps that go by columns.
 #pragma once
 
-#include "lib/project/sweep/points/alone.hpp"
+#include "lib/project/sweep/points/single_step.hpp"
 
 #include <functional>
 #include <memory>
@@ -17,16 +17,16 @@ class EarlierStep final : public PointStep {
 };
 
 /// All of them, in the place of the last.
-class AloneBody final : public PointStep {
+class SingleBody final : public PointStep {
  public:
   using Modes = std::vector<account::ModeColumns>;
   struct Member {
-    std::unique_ptr<AloneStep> step;
+    std::unique_ptr<SingleStep> step;
     std::function<Modes&()> modes;  // those of an earlier step; null for the last one
   };
   enum class Handed { settled, again, contradicts };
   /// `hand_out`: after they are solved, whether they have to be solved again, since the body requires something else.
-  AloneBody(std::vector<Member> members, std::function<Handed()> hand_out);
+  SingleBody(std::vector<Member> members, std::function<Handed()> hand_out);
 
   void evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) override;
   [[nodiscard]] bool reads_axes() const override;

@@ -1,4 +1,4 @@
-#include "lib/project/sweep/points/fed.hpp"
+#include "lib/project/sweep/points/column_input.hpp"
 
 #include "lib/project/run/field_role.hpp"
 #include "lib/project/sweep/points/bounds.hpp"
@@ -26,11 +26,11 @@ Range accepted_by(const FieldInfo& field) {
 
 }  // namespace
 
-Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset)
+ColumnInput::ColumnInput(std::string path, const FieldInfo& field, std::size_t offset)
     : path_(std::move(path)), field_(&field), offset_(offset), accepted_(accepted_by(field)) {}
 
-Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset, const Expression& expression, bool is_open,
-         const PointColumns& points)
+ColumnInput::ColumnInput(std::string path, const FieldInfo& field, std::size_t offset, const Expression& expression,
+                         bool is_open, const PointColumns& points)
     : path_(std::move(path)),
       field_(&field),
       offset_(offset),
@@ -38,8 +38,8 @@ Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset, const Exp
       is_open_(is_open),
       expression_(std::in_place, expression, points.signatures) {}
 
-Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset, const std::vector<std::string>& companions,
-         const PointColumns& points)
+ColumnInput::ColumnInput(std::string path, const FieldInfo& field, std::size_t offset,
+                         const std::vector<std::string>& companions, const PointColumns& points)
     : path_(std::move(path)), field_(&field), offset_(offset), accepted_(accepted_by(field)) {
   for (const std::string& companion : companions) {
     const auto signature = points.signatures.find(companion);
@@ -48,11 +48,11 @@ Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset, const std
   }
 }
 
-void Fed::accept_up_to(double highest) {
+void ColumnInput::accept_up_to(double highest) {
   accepted_ = common_part(accepted_, {.low = accepted_.low, .high = highest, .low_open = accepted_.low_open});
 }
 
-void Fed::fill(PointColumns& points, const Axis* axis) {
+void ColumnInput::fill(PointColumns& points, const Axis* axis) {
   const std::size_t positions = positions_of(axis);
   si_.resize(points.count * positions);
   rounding_.assign(points.count, 0.0);
@@ -65,13 +65,13 @@ void Fed::fill(PointColumns& points, const Axis* axis) {
   if (is_open_ || !all_within(accepted_, si_)) refuse(points, positions);
 }
 
-void Fed::fill_from_sweep(PointColumns& points, std::size_t positions) {
+void ColumnInput::fill_from_sweep(PointColumns& points, std::size_t positions) {
   const std::vector<double>& values = points.values.find(path_)->second;
   spread({values.data(), points.count}, positions);
 }
 
 /// The same at all positions of a point.
-void Fed::spread(std::span<const double> of_points, std::size_t positions) {
+void ColumnInput::spread(std::span<const double> of_points, std::size_t positions) {
   if (positions == 1) {
     std::ranges::copy(of_points, si_.begin());
     return;
@@ -80,7 +80,7 @@ void Fed::spread(std::span<const double> of_points, std::size_t positions) {
     std::fill_n(si_.begin() + static_cast<std::ptrdiff_t>(point * positions), positions, of_points[point]);
 }
 
-void Fed::fill_from_expression(PointColumns& points, std::size_t positions) {
+void ColumnInput::fill_from_expression(PointColumns& points, std::size_t positions) {
   if (expression_->reads_series() && expression_->is_same_everywhere(points)) {
     if (same_.si.empty()) same_ = expression_->at(points, 0);
     for (std::size_t point = 0; point < points.count; ++point) put(point, same_, positions);
@@ -98,7 +98,7 @@ void Fed::fill_from_expression(PointColumns& points, std::size_t positions) {
   if (positions > 1) spread(of_points_, positions);
 }
 
-void Fed::put(std::size_t point, const Value& value, std::size_t positions) {
+void ColumnInput::put(std::size_t point, const Value& value, std::size_t positions) {
   const auto first = si_.begin() + static_cast<std::ptrdiff_t>(point * positions);
   rounding_[point] = value.rounding;
   if (value.is_series())
@@ -108,7 +108,7 @@ void Fed::put(std::size_t point, const Value& value, std::size_t positions) {
 }
 
 /// The largest of several load components at each position.
-void Fed::fill_from_companions(PointColumns& points, const Axis* axis) {
+void ColumnInput::fill_from_companions(PointColumns& points, const Axis* axis) {
   const std::size_t positions = positions_of(axis);
   std::fill(si_.begin(), si_.end(), 0.0);
   for (std::size_t point = 0; point < points.count; ++point) {
@@ -130,17 +130,17 @@ void Fed::fill_from_companions(PointColumns& points, const Axis* axis) {
   }
 }
 
-void Fed::refuse(PointColumns& points, std::size_t positions) const {
+void ColumnInput::refuse(PointColumns& points, std::size_t positions) const {
   for (std::size_t i = 0; i < si_.size(); ++i) {
     const bool known = !std::isnan(si_[i]);
     if (known == is_open_ || (known && !accepted_.holds(si_[i]))) points.is_other[i / positions] = 1;
   }
 }
 
-void Fed::tell(PointColumns& points, const Axis* axis) const {
-  const auto told = points.signatures.find(path_);
-  if (told == points.signatures.end() || (!expression_ && companions_.empty())) return;  // otherwise it is there
-  if (told->second.axis != nullptr) {
+void ColumnInput::write(PointColumns& points, const Axis* axis) const {
+  const auto signature = points.signatures.find(path_);
+  if (signature == points.signatures.end() || (!expression_ && companions_.empty())) return;  // otherwise it is there
+  if (signature->second.axis != nullptr) {
     points.series[path_] = {si_, rounding_};
     return;
   }

@@ -1,4 +1,4 @@
-#include "lib/project/run/sources_beside.hpp"
+#include "lib/project/run/source_values.hpp"
 
 #include "lib/project/project.hpp"
 #include "lib/project/references/sources.hpp"
@@ -53,7 +53,7 @@ Value compared_value(const FieldInfo& field, Comparison comparison, const Value&
   return std::isnan(over_time) ? value : Value{{field.dimension, nullptr}, {over_time}, value.rounding};
 }
 
-FieldRole beside_of_comparison(Comparison comparison) {
+FieldRole role_of_comparison(Comparison comparison) {
   switch (comparison) {
     case Comparison::same:
       return FieldRole::identity;
@@ -114,7 +114,7 @@ std::string load_from(const Reading& reading, const std::string& step) {
 
 }  // namespace
 
-void add_sources_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
+void add_source_values(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
   std::optional<std::vector<Source>> sources;
   for (const FieldInfo& field : evaluation.calculator().input->fields) {
@@ -132,10 +132,10 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
       for (const Source& source : *sources) {
         const std::string path = largest_in(source, keys, field, known);
         if (path.empty() || is_of_another_place(source, keys, field, known, value)) continue;
-        const Value beside = compared_value(field, list.comparison, known(path));
-        const bool is_mean = known(path).is_series() && !beside.is_series();
-        all.push_back({field.key, leaf, beside, is_mean ? say("the mean of '{1}'", path) : say("'{1}'", path),
-                       beside_of_comparison(list.comparison)});
+        const Value compared = compared_value(field, list.comparison, known(path));
+        const bool is_mean = known(path).is_series() && !compared.is_series();
+        all.push_back({field.key, leaf, compared, is_mean ? say("the mean of '{1}'", path) : say("'{1}'", path),
+                       role_of_comparison(list.comparison)});
         all.back().by_size = true;  // at another point the source has another value
       }
     }

@@ -10,7 +10,7 @@
 namespace loadpath::project {
 
 /// Inputs: a key is on the shaft whose torque it takes, a gear pair is a stage of its train.
-void add_sources_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all);
+void add_source_values(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all);
 
 /// A result, or a value of a row, that differs from that of the step which a load is taken from.
 struct Differing {

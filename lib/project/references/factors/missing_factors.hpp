@@ -7,6 +7,6 @@ namespace loadpath::project {
 
 /// The factor not included in a load of another step, and neither taken nor given here, with the remedy; empty if
 /// there is none. A lower factor with a reason is noted in the step.
-Message lacking_factor(Step& step, const Project& project, const Factors& held);
+Message missing_factor(Step& step, const Project& project, const Factors& held);
 
 }  // namespace loadpath::project

@@ -1,4 +1,4 @@
-#include "lib/project/sweep/points/alone_body.hpp"
+#include "lib/project/sweep/points/single_body.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -16,14 +16,14 @@ void forget_sizes_and_facts(Step& step) {
 
 }  // namespace
 
-AloneBody::AloneBody(std::vector<Member> members, std::function<Handed()> hand_out)
+SingleBody::SingleBody(std::vector<Member> members, std::function<Handed()> hand_out)
     : members_(std::move(members)), hand_out_(std::move(hand_out)) {}
 
-bool AloneBody::reads_axes() const {
+bool SingleBody::reads_axes() const {
   return std::ranges::any_of(members_, [](const Member& member) { return member.step->reads_axes(); });
 }
 
-bool AloneBody::solve(PointColumns& points, std::size_t point) {
+bool SingleBody::solve(PointColumns& points, std::size_t point) {
   constexpr int most_rounds = 20;
   for (const Member& member : members_) forget_sizes_and_facts(member.step->step());
   for (int round = 0; round < most_rounds; ++round) {
@@ -36,7 +36,7 @@ bool AloneBody::solve(PointColumns& points, std::size_t point) {
   return false;
 }
 
-void AloneBody::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {
+void SingleBody::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {
   const auto modes_of = [&](const Member& member) -> Modes& { return member.modes ? member.modes() : modes; };
   for (const Member& member : members_) member.step->start(points, modes_of(member));
   for (std::size_t point = 0; point < points.count; ++point) {

@@ -1,4 +1,4 @@
-#include "lib/project/references/factors/lacking.hpp"
+#include "lib/project/references/factors/missing_factors.hpp"
 
 #include "lib/project/because.hpp"
 #include "lib/project/references/factors/given.hpp"
@@ -21,22 +21,22 @@ class LostFactors {
  public:
   LostFactors(Step& step, const Project& project, const Factors& held) : step_(step), project_(project), held_(held) {}
 
-  Message lacking() {
-    if (Message peak = lacking_peak(step_, project_); !peak.empty()) return peak;
+  Message missing() {
+    if (Message peak = missing_peak(step_, project_); !peak.empty()) return peak;
     for (const char* const key : factors_of_loads) {
-      if (Message lost = lacking(key); !lost.empty()) return lost;
+      if (Message lost = missing(key); !lost.empty()) return lost;
     }
     if (is_given(step_.input(), "K_A") || !of_kind(held_, "K_A").empty()) return {};
     for (const Taken& taken : step_.input().reading.taken) {
       if (taken.field == nullptr || taken.field->type != FieldInfo::Type::list) continue;
       const Step* const source = project_.find(split_step(taken.source).first);
-      if (source != nullptr && !source->loads().lacking_factor.empty()) return source->loads().lacking_factor;
+      if (source != nullptr && !source->loads().missing_factor.empty()) return source->loads().missing_factor;
     }
     return {};
   }
 
  private:
-  Message lacking(const std::string& key) {
+  Message missing(const std::string& key) {
     if (!of_kind(held_, key).empty()) return {};
     for (const Operand& operand : step_.input().reading.operands) {
       if (!operand.leaf.field->is_load || is_peak(operand)) continue;
@@ -52,7 +52,7 @@ class LostFactors {
     const Step* const source = project_.find(name);
     const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);
     if (field == nullptr || !carries_factors(*field)) return {};
-    if (!source->loads().lacking_factor.empty() && !is_given(step_.input(), key)) return source->loads().lacking_factor;
+    if (!source->loads().missing_factor.empty() && !is_given(step_.input(), key)) return source->loads().missing_factor;
     const auto with = listed_keys(field->factors);
     if (std::find(with.begin(), with.end(), key) != with.end())  // divided by it, as no load of the step holds it
       return lower_than(key, load, *source, factor_of(*source, key));
@@ -98,8 +98,9 @@ class LostFactors {
       step_.loads().justified.insert(key);
       return {};
     }
-    return is_given(step_.input(), key) ? say("{1}; here {2} is lower: say why, because.{2} = \"...\"", lacks, key)
-                                        : say("{1}; give {2} here", lacks, key);
+    return is_given(step_.input(), key)
+               ? say("{1}; here {2} is lower: give the reason, because.{2} = \"...\"", lacks, key)
+               : say("{1}; give {2} here", lacks, key);
   }
 
   Step& step_;
@@ -109,8 +110,8 @@ class LostFactors {
 
 }  // namespace
 
-Message lacking_factor(Step& step, const Project& project, const Factors& held) {
-  return LostFactors(step, project, held).lacking();
+Message missing_factor(Step& step, const Project& project, const Factors& held) {
+  return LostFactors(step, project, held).missing();
 }
 
 }  // namespace loadpath::project

@@ -12,16 +12,16 @@
 
 namespace loadpath::project {
 
-class Fed {
+class ColumnInput {
  public:
   /// An input of the sweep.
-  Fed(std::string path, const FieldInfo& field, std::size_t offset);
+  ColumnInput(std::string path, const FieldInfo& field, std::size_t offset);
   /// `is_open`: a record of another step leaves it out.
-  Fed(std::string path, const FieldInfo& field, std::size_t offset, const Expression& expression, bool is_open,
-      const PointColumns& points);
+  ColumnInput(std::string path, const FieldInfo& field, std::size_t offset, const Expression& expression, bool is_open,
+              const PointColumns& points);
   /// The largest of the load components of other inputs.
-  Fed(std::string path, const FieldInfo& field, std::size_t offset, const std::vector<std::string>& companions,
-      const PointColumns& points);
+  ColumnInput(std::string path, const FieldInfo& field, std::size_t offset, const std::vector<std::string>& companions,
+              const PointColumns& points);
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const FieldInfo& field() const { return *field_; }
@@ -36,7 +36,7 @@ class Fed {
   /// field refuses or that is unusual, become another's.
   void fill(PointColumns& points, const Axis* axis);
   /// Publishes the values that others may refer to.
-  void tell(PointColumns& points, const Axis* axis) const;
+  void write(PointColumns& points, const Axis* axis) const;
 
  private:
   void fill_from_sweep(PointColumns& points, std::size_t positions);

@@ -12,15 +12,15 @@
 
 namespace loadpath::project {
 
-class AloneStep final : public PointStep {
+class SingleStep final : public PointStep {
  public:
   /// For a step that was solved at one point; null if it takes more from others than numbers. `wanted`: for all
   /// steps, valid as long as this object lives. `referred`: full paths of values that expressions refer to.
-  static std::unique_ptr<AloneStep> of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
-                                       const PointColumns& points);
+  static std::unique_ptr<SingleStep> of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
+                                        const PointColumns& points);
   /// The same of a step of a body; values of its other steps are read where they are, at each point.
-  static std::unique_ptr<AloneStep> of_body(Step& step, const std::vector<Step*>& body, const Wanted& wanted,
-                                            const std::set<std::string>& referred, const PointColumns& points);
+  static std::unique_ptr<SingleStep> of_body(Step& step, const std::vector<Step*>& body, const Wanted& wanted,
+                                             const std::set<std::string>& referred, const PointColumns& points);
 
   void evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) override;
   /// The parts of that: before all points, at a point, where false hands it over, and what is taken of its solution.
@@ -31,7 +31,7 @@ class AloneStep final : public PointStep {
   [[nodiscard]] bool reads_axes() const override;
 
  private:
-  AloneStep(Step& step, const Wanted& wanted);
+  SingleStep(Step& step, const Wanted& wanted);
   void refer_to(const std::string& path, const PointColumns& points);
   [[nodiscard]] Known known() const;
   [[nodiscard]] const Step* in_body(const std::string& path) const;
@@ -42,7 +42,7 @@ class AloneStep final : public PointStep {
   bool take_modes(std::size_t point, std::vector<account::ModeColumns>& modes) const;
 
   /// A value that others refer to.
-  struct Told {
+  struct Written {
     std::string within, path;  // path within the step, and full path
     Signature signature;
   };
@@ -51,7 +51,7 @@ class AloneStep final : public PointStep {
   const Wanted& wanted_;
   std::vector<Step*> body_;                // other steps of its body
   std::map<std::string, Value> referred_;  // values of all others, at the point
-  std::vector<Told> told_;
+  std::vector<Written> written_;
   std::map<const Axis*, Axis> axes_;  // axes of the published values, as they were at the first point
 };
 

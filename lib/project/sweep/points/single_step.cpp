@@ -1,4 +1,4 @@
-#include "lib/project/sweep/points/alone.hpp"
+#include "lib/project/sweep/points/single_step.hpp"
 
 #include "lib/project/project.hpp"
 #include "lib/project/references/sources.hpp"
@@ -17,7 +17,7 @@ bool takes_numbers(const Step& step) {
   const Reading& reading = step.input().reading;
   const auto is_number = [](const Varied& v) { return v.leaf && v.words.empty() && !v.leaf.field->is_factor; };
   const auto is_factor = [](const Operand& o) { return o.leaf.field->is_factor; };
-  const auto is_word = [](const TypedBeside& kept) { return kept.is_word; };
+  const auto is_word = [](const TypedOverride& kept) { return kept.is_word; };
   return reading.taken.empty() && std::none_of(reading.kept.begin(), reading.kept.end(), is_word) &&
          std::all_of(reading.varied.begin(), reading.varied.end(), is_number) &&
          std::none_of(reading.operands.begin(), reading.operands.end(), is_factor);
@@ -25,18 +25,18 @@ bool takes_numbers(const Step& step) {
 
 }  // namespace
 
-AloneStep::AloneStep(Step& step, const Wanted& wanted) : step_(step), wanted_(wanted) {}
+SingleStep::SingleStep(Step& step, const Wanted& wanted) : step_(step), wanted_(wanted) {}
 
-std::unique_ptr<AloneStep> AloneStep::of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
-                                         const PointColumns& points) {
+std::unique_ptr<SingleStep> SingleStep::of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
+                                           const PointColumns& points) {
   return of_body(step, {}, wanted, referred, points);
 }
 
-std::unique_ptr<AloneStep> AloneStep::of_body(Step& step, const std::vector<Step*>& body, const Wanted& wanted,
-                                              const std::set<std::string>& referred, const PointColumns& points) {
+std::unique_ptr<SingleStep> SingleStep::of_body(Step& step, const std::vector<Step*>& body, const Wanted& wanted,
+                                                const std::set<std::string>& referred, const PointColumns& points) {
   const auto* const calculator = dynamic_cast<const CalculatorStep*>(&step);
   if (!takes_numbers(step)) return nullptr;
-  std::unique_ptr<AloneStep> alone(new AloneStep(step, wanted));
+  std::unique_ptr<SingleStep> alone(new SingleStep(step, wanted));
   alone->body_ = body;
   const auto refer_to = [&](const std::string& path) { alone->refer_to(path, points); };
   for_each_reference(step.input().reading, refer_to);
@@ -45,29 +45,30 @@ std::unique_ptr<AloneStep> AloneStep::of_body(Step& step, const std::vector<Step
     for (const Provided& provided : calculator->provided()) {
       for (const std::string& path : provided.companions) alone->refer_to(path, points);
     }
-    for (const LoadBeside& component : calculator->rest_of_loads()) alone->refer_to(component.path, points);
+    for (const LoadComponent& component : calculator->components_not_included())
+      alone->refer_to(component.path, points);
   }
   for (const std::string& path : referred) {
     const auto signature = points.signatures.find(path);
     if (path.starts_with(step.name() + ".") && signature != points.signatures.end())
-      alone->told_.push_back({path.substr(step.name().size() + 1), path, signature->second});
+      alone->written_.push_back({path.substr(step.name().size() + 1), path, signature->second});
   }
   return alone;
 }
 
-void AloneStep::refer_to(const std::string& path, const PointColumns& points) {
+void SingleStep::refer_to(const std::string& path, const PointColumns& points) {
   const auto signature = points.signatures.find(path);
   if (signature != points.signatures.end() && in_body(path) == nullptr) referred_[path] = {signature->second, {}};
 }
 
 /// The other step of the body that a path is of.
-const Step* AloneStep::in_body(const std::string& path) const {
+const Step* SingleStep::in_body(const std::string& path) const {
   const std::string name = split_step(path).first;
   const auto found = std::ranges::find_if(body_, [&](const Step* other) { return other->name() == name; });
   return found == body_.end() || *found == &step_ ? nullptr : *found;
 }
 
-Known AloneStep::known() const {
+Known SingleStep::known() const {
   static const Value none{{}, {nan}};
   return {.value = [this](const std::string& path) -> const Value& {
             const auto found = referred_.find(path);
@@ -80,29 +81,29 @@ Known AloneStep::known() const {
           .within = [](const std::string&) { return std::vector<std::pair<std::string, const Entry*>>(); }};
 }
 
-void AloneStep::start(PointColumns& points, std::vector<account::ModeColumns>& modes) {
+void SingleStep::start(PointColumns& points, std::vector<account::ModeColumns>& modes) {
   modes.resize(step_.input().calculator->modes.size());
   for (account::ModeColumns& mode : modes) {
     mode.state.assign(points.count, account::absent_state);
     mode.utilisation.assign(points.count, nan);
   }
-  for (const Told& told : told_) {
-    if (told.signature.axis == nullptr) points.values[told.path].assign(points.count, nan);
+  for (const Written& written : written_) {
+    if (written.signature.axis == nullptr) points.values[written.path].assign(points.count, nan);
   }
   axes_.clear();
 }
 
-bool AloneStep::solve_at(PointColumns& points, std::size_t point) {
+bool SingleStep::solve_at(PointColumns& points, std::size_t point) {
   return set_inputs(points, point) && solve(points, point);
 }
 
-bool AloneStep::take(PointColumns& points, std::size_t point, std::vector<account::ModeColumns>& modes) {
+bool SingleStep::take(PointColumns& points, std::size_t point, std::vector<account::ModeColumns>& modes) {
   const bool taken = take_modes(point, modes) && take_values(points, point);
   if (!keeps_axes(points.speeds_matter)) points.axes_differ = true;
   return taken;
 }
 
-void AloneStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {
+void SingleStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {
   start(points, modes);
   for (std::size_t point = 0; point < points.count; ++point) {
     if (points.is_other[point] != 0) continue;
@@ -112,18 +113,18 @@ void AloneStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>
   }
 }
 
-bool AloneStep::reads_axes() const {
+bool SingleStep::reads_axes() const {
   return std::any_of(referred_.begin(), referred_.end(), [](const auto& r) { return r.second.is_series(); });
 }
 
 /// Whether all series lie over the places of the first point.
-bool AloneStep::keeps_axes(bool with_speed) {
+bool SingleStep::keeps_axes(bool with_speed) {
   const auto same = [with_speed](const Axis& a, const Axis& b) {
     return a.at == b.at && a.share == b.share && a.period == b.period && (!with_speed || a.speed == b.speed);
   };
   const Axis* before = nullptr;  // most series lie over one axis
-  return std::all_of(told_.begin(), told_.end(), [&](const Told& told) {
-    const Axis* const axis = told.signature.axis;
+  return std::all_of(written_.begin(), written_.end(), [&](const Written& written) {
+    const Axis* const axis = written.signature.axis;
     if (axis == nullptr || axis == before) return true;
     before = axis;
     return same(axes_.try_emplace(axis, *axis).first->second, *axis);
@@ -131,7 +132,7 @@ bool AloneStep::keeps_axes(bool with_speed) {
 }
 
 /// False if a field refuses its value.
-bool AloneStep::set_inputs(const PointColumns& points, std::size_t point) {
+bool SingleStep::set_inputs(const PointColumns& points, std::size_t point) {
   for (const Varied& varied : step_.input().reading.varied) {
     const double si = points.values.find(step_.name() + "." + varied.path)->second[point];
     if (!varied.leaf.field->bounds.holds(si)) return false;
@@ -140,7 +141,7 @@ bool AloneStep::set_inputs(const PointColumns& points, std::size_t point) {
   return true;
 }
 
-bool AloneStep::solve(PointColumns& points, std::size_t point) {
+bool SingleStep::solve(PointColumns& points, std::size_t point) {
   for (auto& [path, value] : referred_) points.read(path, point, value);
   std::vector<Issue> issues;
   step_.forget();
@@ -148,7 +149,7 @@ bool AloneStep::solve(PointColumns& points, std::size_t point) {
   return !has_errors(issues);
 }
 
-bool AloneStep::take_modes(std::size_t point, std::vector<account::ModeColumns>& modes) const {
+bool SingleStep::take_modes(std::size_t point, std::vector<account::ModeColumns>& modes) const {
   const auto& known = step_.input().calculator->modes;
   for (const account::Mode& mode : step_.account().modes) {
     const auto same =
@@ -162,16 +163,16 @@ bool AloneStep::take_modes(std::size_t point, std::vector<account::ModeColumns>&
 }
 
 /// False if a series is not as long as its axis.
-bool AloneStep::take_values(PointColumns& points, std::size_t point) {
-  for (const Told& told : told_) {
-    const Value* const value = step_.value(told.within);
-    if (told.signature.axis == nullptr) {
-      if (value != nullptr) points.values[told.path][point] = value->si[0];
+bool SingleStep::take_values(PointColumns& points, std::size_t point) {
+  for (const Written& written : written_) {
+    const Value* const value = step_.value(written.within);
+    if (written.signature.axis == nullptr) {
+      if (value != nullptr) points.values[written.path][point] = value->si[0];
       continue;
     }
-    const std::size_t positions = positions_of(told.signature.axis);
+    const std::size_t positions = positions_of(written.signature.axis);
     if (value == nullptr || value->si.size() != positions) return false;
-    SeriesColumn& column = points.series[told.path];
+    SeriesColumn& column = points.series[written.path];
     column.si.resize(points.count * positions);
     column.rounding.resize(points.count);
     std::ranges::copy(value->si, column.si.begin() + static_cast<std::ptrdiff_t>(point * positions));

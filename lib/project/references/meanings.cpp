@@ -77,7 +77,7 @@ Said wanted_by(const Step& step, const Operand& operand, const Project& project)
 Said given_by(const Step& source, const std::string& path) {
   const WordOf word_of = [&](const std::string& choice) { return source.word(choice); };
   const Calculator* const calculator = source.input().calculator;
-  const Meaning* const meaning = calculator == nullptr ? nullptr : declared(*calculator, path, word_of);
+  const Meaning* const meaning = declared(*calculator, path, word_of);
   return meaning == nullptr ? Said{} : Said{meaning->what, typed_choices(*meaning, word_of)};
 }
 
@@ -157,7 +157,6 @@ class Checking {
 }  // namespace
 
 void check_meanings(const Step& step, const Project& project, std::vector<Issue>& issues) {
-  if (step.input().calculator == nullptr) return;
   Checking(step, project, issues).run();
 }
 

@@ -30,7 +30,6 @@ double value_at(const Project& project, const std::string& path) {
 
 /// The notch claim of a field; null if there is none.
 const NotchClaim* claim_of(const Step& step, const std::string& path) {
-  if (step.input().calculator == nullptr) return nullptr;
   for (const NotchClaim& claim : step.input().calculator->notches) {
     const auto fields = listed_keys(claim.fields);
     if (std::find(fields.begin(), fields.end(), path) != fields.end()) return &claim;
@@ -95,15 +94,13 @@ std::optional<ReducedLoad> smooth_despite_notch(const Step& step, const Project&
 }  // namespace
 
 bool makes_notch(const Step* step) {
-  if (step == nullptr || step->input().calculator == nullptr || step->input().calculator->result == nullptr)
-    return false;
+  if (step == nullptr || step->input().calculator->result == nullptr) return false;
   const FieldInfo* const notch = find_field(step->input().calculator->result->fields, "notch");
   return notch != nullptr && notch->is_handed_over;
 }
 
 std::vector<ReducedLoad> missed_notches(const Step& step, const Project& project) {
   std::vector<ReducedLoad> missed;
-  if (step.input().calculator == nullptr) return missed;
   if (auto smooth = smooth_despite_notch(step, project)) missed.push_back(std::move(*smooth));
   std::set<const Step*> seen;
   const Factor notch = notch_of_loads(step, project, seen);

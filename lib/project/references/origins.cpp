@@ -61,9 +61,7 @@ double magnitude_of(const Operand& operand, const Project& project) {
 
 /// Whether an input at this path may have a value at some point: elements of a list may come with another point.
 bool is_of_input(const Step& step, const std::string& path) {
-  const Calculator* const calculator = step.input().calculator;
-  return calculator == nullptr || calculator->input == nullptr ||
-         find_field_at(calculator->input->fields, path) != nullptr;
+  return find_field_at(step.input().calculator->input->fields, path) != nullptr;
 }
 
 }  // namespace
@@ -90,7 +88,7 @@ bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(
 
 bool connects(const Step& step) {
   const Calculator* const calculator = step.input().calculator;
-  if (calculator == nullptr || calculator->result == nullptr) return false;
+  if (calculator->result == nullptr) return false;
   const FieldInfo* const connection = find_field(calculator->result->fields, "connection");
   return makes_notch(&step) || (connection != nullptr && connection->is_handed_over);
 }
@@ -156,7 +154,6 @@ class OriginCheck {
   OriginCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
 
   std::vector<ReducedLoad> run() {
-    if (step_.input().calculator == nullptr) return {};
     for (const Operand& operand : step_.input().reading.operands) {
       compare_strength(operand);
       compare_limit(operand);
@@ -200,7 +197,7 @@ class OriginCheck {
     for (const auto& reference : operand.expression.references()) {
       const auto [name, rest] = split_step(reference.path);
       const Step* const source = project_.find(name);
-      if (source == nullptr || source == &step_ || source->input().calculator == nullptr) continue;
+      if (source == nullptr || source == &step_) continue;
       if (!means(*source->input().calculator, rest, &is_fatigue_limit)) continue;
       compare_materials(operand.path, *source, reference.path);
       if (means(calculator(), operand.path, &is_limit_of_part)) compare_sizes(operand.path, *source, reference.path);
@@ -385,7 +382,6 @@ bool compares_number(const Step& step, const Operand& operand, const Project& pr
 }  // namespace
 
 bool compares_numbers(const Step& step, const Project& project) {
-  if (step.input().calculator == nullptr) return false;
   const auto& operands = step.input().reading.operands;
   return find_leaf(step.input().reading.record, "arrangement") ||
          std::any_of(operands.begin(), operands.end(),

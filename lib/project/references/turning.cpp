@@ -32,7 +32,7 @@ bool stands(const Step& step, const Project& project) {
 bool is_turning(const std::string& path, const Project& project) {
   const auto [name, rest] = split_step(path);
   const Step* const source = project.find(name);
-  if (source == nullptr || source->input().calculator == nullptr) return false;
+  if (source == nullptr) return false;
   return has_meaning(*source->input().calculator, rest, reverses_in_turns) && !stands(*source, project);
 }
 
@@ -86,7 +86,6 @@ bool is_reversed(const Step& step, const Operand& operand, const Project& projec
 }  // namespace
 
 std::optional<Message> turning_message(const Step& step, const Operand& operand, const Project& project) {
-  if (step.input().calculator == nullptr) return std::nullopt;
   const Calculator& taker = *step.input().calculator;
   const bool is_kinematically_stable = has_meaning(taker, operand.path, steady_part);
   const bool is_end = has_meaning(taker, operand.path, "max") || has_meaning(taker, operand.path, "min");

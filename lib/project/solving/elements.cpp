@@ -32,7 +32,7 @@ struct Elements {
 };
 
 std::optional<Elements> elements_of(const Step& part, const ModeInfo& mode) {
-  if (*mode.each == '\0' || part.input().reading.record.data == nullptr) return std::nullopt;
+  if (*mode.each == '\0') return std::nullopt;
   const FieldInfo* const list = find_field(part.input().calculator->input->fields, mode.each);
   if (list == nullptr || list->type != FieldInfo::Type::list) return std::nullopt;
   return Elements{part, *list, mode.loads};

@@ -165,11 +165,10 @@ bool may_vary(const Project& project, const std::string& path, const std::set<st
   const Reading& reading = step->input().reading;
   const auto is_it = [&, &input = rest](const auto& one) { return one.path == input; };
   if (std::ranges::any_of(reading.varied, is_it) || std::ranges::any_of(reading.operands, is_it)) return true;
-  if (step->input().calculator == nullptr) return true;
   const auto& fields = step->input().calculator->input->fields;
   const bool is_known =
       step->field(rest) != nullptr || find_field(fields, rest.substr(0, rest.find_first_of(".["))) != nullptr;
-  return is_known && (reading.record.data == nullptr || !find_leaf(reading.record, rest));
+  return is_known && !find_leaf(reading.record, rest);
 }
 
 /// Whether numbers that vary decide if an input needs a reason: typed values, other steps, what the project states.

@@ -14,17 +14,8 @@
 
 namespace loadpath::project {
 
-namespace {
-
-bool has_record(const Step& step) {
-  return step.input().calculator != nullptr && step.input().reading.record.data != nullptr;
-}
-
-}  // namespace
-
 std::vector<ReducedLoad> statements_in_disagreement(const Step& step, const Project& project) {
   std::vector<ReducedLoad> all;
-  if (!has_record(step)) return all;
   for (const auto& found :
        {values_stated_only(step, project), motors_stated_only(step, project), lengths_of_columns(step, project),
         stages_of_trains(step, project), forces_across_lugs(step, project), factors_of_torque(step, project)})
@@ -34,7 +25,6 @@ std::vector<ReducedLoad> statements_in_disagreement(const Step& step, const Proj
 
 std::vector<ReducedLoad> values_in_disagreement(const Step& step, const Project& project) {
   std::vector<ReducedLoad> all;
-  if (!has_record(step)) return all;
   for (const auto& found :
        {torques_of_line(step, project), ends_of_vessel(step, project), surfaces_of(step, project),
         excitations_of(step, project), sizes_in_disagreement(step, project), statements_in_disagreement(step, project)})

@@ -16,7 +16,7 @@ namespace {
 const Step* effective_length_in(const Operand& operand, const Project& project) {
   for (const auto& reference : operand.expression.references()) {
     const Step* const source = project.find(split_step(reference.path).first);
-    if (source == nullptr || source->input().calculator == nullptr) continue;
+    if (source == nullptr) continue;
     if (std::string_view(source->input().calculator->id) == "column.effective_length") return source;
   }
   return nullptr;

@@ -25,15 +25,13 @@ bool is_run_moment(std::string_view what) { return what == moment_of_motor; }
 bool is_flywheel_inertia(std::string_view what) { return what == inertia_of_flywheel; }
 
 /// The shafts of a mechanism have a torque over the cycle, which a flywheel evens out.
-bool is_train(const Step& step) {
-  return step.input().calculator != nullptr && std::string_view(step.input().calculator->id) == "drive.train";
-}
+bool is_train(const Step& step) { return std::string_view(step.input().calculator->id) == "drive.train"; }
 
 /// The number of shafts of a train: of each stage the one behind it, and the first.
 std::size_t shafts_of(const Step& train) {
   const Reading& reading = train.input().reading;
   const FieldInfo* const stages = find_field(train.input().calculator->input->fields, "stages");
-  return reading.record.data == nullptr ? 0 : stages->size(reading.record.data.get()) + 1;
+  return stages->size(reading.record.data.get()) + 1;
 }
 
 /// The steps that refer to one of these, and those that refer to them in turn.
@@ -156,7 +154,7 @@ class LineCheck {
     const double peak = peak_factor(shaft.step);
     for (const auto& part : project_.steps) {
       const Calculator* const calculator = part->input().calculator;
-      if (calculator == nullptr || part.get() == &run_ || !takes(*part, shaft)) continue;
+      if (part.get() == &run_ || !takes(*part, shaft)) continue;
       const FieldInfo* const field = find_field(calculator->input->fields, "K_A");
       if (field == nullptr || !field->is_factor) continue;
       const double K_A = std::fmax(1.0, own_value(*part, project_, "K_A"));
@@ -187,7 +185,7 @@ class LineCheck {
   void compare_flywheels() {
     for (const auto& wheel : project_.steps) {
       const Calculator* const calculator = wheel->input().calculator;
-      if (calculator == nullptr || !means(*calculator, "J", &is_flywheel_inertia)) continue;
+      if (!means(*calculator, "J", &is_flywheel_inertia)) continue;
       if (wheel->word("work") != "absorbed") continue;
       const double T = std::abs(magnitude_at(project_, wheel->name() + ".M_m")) * ratio_of(*wheel);
       if (!(moment_ < weakest * T)) continue;
@@ -207,7 +205,6 @@ class LineCheck {
 }  // namespace
 
 double peak_factor_of(const Step& step, const Project& project) {
-  if (step.input().calculator == nullptr) return 1.0;
   const double T = std::abs(own_value(step, project, "T")), T_max = std::abs(own_value(step, project, "T_max"));
   const double ratio = T > 0.0 ? T_max / T : 1.0;
   return std::fmax(std::fmax(1.0, own_value(step, project, "k_max")), ratio);

@@ -16,9 +16,7 @@ namespace {
 constexpr double as_typed = 1e-3;  // of a value with few digits
 constexpr double of_wall = 0.1;    // of a radius: to the inner, middle or outer surface of a thin wall
 
-std::string_view id_of(const Step& step) {
-  return step.input().calculator == nullptr ? std::string_view() : std::string_view(step.input().calculator->id);
-}
+std::string_view id_of(const Step& step) { return step.input().calculator->id; }
 
 /// The key of the radius at the shell, of a cone, an ellipsoid or a hemisphere; empty for other steps.
 const char* edge_of(const Step& step) {
@@ -81,7 +79,7 @@ void compare_water(const Step& end, const Project& project, std::vector<ReducedL
   const auto record = std::ranges::find(records, "shell", &Taken::path);
   if (record == records.end()) return;
   const Step* const shell = project.find(split_step(record->source).first);
-  if (shell == nullptr || shell->input().calculator == nullptr) return;
+  if (shell == nullptr) return;
   const double h_t = own_value(end, project, "h_t"), of_shell = own_value(*shell, project, "h_t");
   if (!(h_t < (1.0 - as_typed) * of_shell)) return;
   const double p = test_pressure(end, project), there = test_pressure(*shell, project);

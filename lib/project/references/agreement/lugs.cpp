@@ -19,14 +19,10 @@ namespace {
 /// The sine of the 5 degrees by which a force may leave the axis of a lug.
 constexpr double most_across = 0.0872;
 
-bool is_lug(const Step& step) {
-  return step.input().calculator != nullptr && step.input().calculator->id == std::string_view("pin.lug");
-}
+bool is_lug(const Step& step) { return step.input().calculator->id == std::string_view("pin.lug"); }
 
 /// Whether it assesses plates by their distances along and across the force.
-bool has_plates(const Step& step) {
-  return step.input().calculator != nullptr && step.input().calculator->id == std::string_view("pin.en1993");
-}
+bool has_plates(const Step& step) { return step.input().calculator->id == std::string_view("pin.en1993"); }
 
 /// The input of a pin joint that is the thickness of this part of it.
 std::string thickness_of(const std::string& part) { return part == "eye" ? "t_1" : part == "cheek" ? "t_2" : ""; }
@@ -74,7 +70,7 @@ class LugCheck {
   bool find_links() {
     const auto [name, rest] = split_step(at_.joint);
     const Step* const mechanism = at_.joint.empty() ? nullptr : project_.find(name);
-    if (mechanism == nullptr || mechanism->input().reading.record.data == nullptr) return false;
+    if (mechanism == nullptr) return false;
     mechanism_ = name;
     for (const int k : {0, 1}) {
       const Leaf leaf =
@@ -178,9 +174,7 @@ class LugCheck {
   std::array<std::string, 2> links_;
 };
 
-bool is_pin_joint(const Step& step) {
-  return step.input().calculator != nullptr && step.input().calculator->id == std::string_view("pin.joint");
-}
+bool is_pin_joint(const Step& step) { return step.input().calculator->id == std::string_view("pin.joint"); }
 
 /// The values of [values] in the force of a step, of one dimension: the forces, or the factors without one.
 std::set<std::string> shared_in_force(const Step& step, const Project& project, const Dimension& dimension) {
@@ -205,7 +199,7 @@ const Step* pin_of_lug(const Step& lug, const Project& project) {
   for (const auto& step : project.steps) {
     if (is_pin_joint(*step) && std::exchange(pin, step.get()) != nullptr) return nullptr;
   }
-  if (pin == nullptr || pin->input().reading.record.data == nullptr) return nullptr;
+  if (pin == nullptr) return nullptr;
   for (const Taken& record : lug.input().reading.records) {
     if (split_step(record.source).first == pin->name()) return nullptr;
   }

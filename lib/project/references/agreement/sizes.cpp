@@ -16,19 +16,14 @@ namespace {
 
 constexpr double few = 1e-3;  // of a value: sizes typed with few digits
 
-const Step* calculated_step(const Project& project, const std::string& name) {
-  const Step* const step = project.find(name);
-  return step == nullptr || step->input().calculator == nullptr ? nullptr : step;
-}
-
 /// A fatigue limit for a smaller rectangle than the part whose cycle it is compared with: its size factor is higher.
 void compare_rectangle(const Step& life, const Project& project, std::vector<ReducedLoad>& found) {
   const auto& reading = life.input().reading;
   const Operand* const limit = reading.operand("sigma_D");
   const auto cycle = std::ranges::find(reading.records, "cycle", &Taken::path);
   if (limit == nullptr || limit->expression.references().size() != 1 || cycle == reading.records.end()) return;
-  const Step* const source = calculated_step(project, split_step(limit->expression.references().front().path).first);
-  const Step* const part = calculated_step(project, split_step(cycle->source).first);
+  const Step* const source = project.find(split_step(limit->expression.references().front().path).first);
+  const Step* const part = project.find(split_step(cycle->source).first);
   if (source == nullptr || part == nullptr || source == part) return;
   const double h = own_value(*source, project, "h"), b = own_value(*source, project, "b");
   const double h_part = own_value(*part, project, "h"), b_part = own_value(*part, project, "b");
@@ -64,7 +59,7 @@ void compare_axis(const Step& step, const Project& project, std::vector<ReducedL
     const auto& references = operand.expression.references();
     if (!(operand.leaf.field->dimension == of_inertia) || references.size() != 1) continue;
     const auto [body, key] = split_step(references.front().path);
-    if (key != "J_S" || calculated_step(project, body) == nullptr) continue;
+    if (key != "J_S" || project.find(body) == nullptr) continue;
     const double J_S = magnitude_at(project, body + ".J_S"), J = magnitude_at(project, body + ".J");
     if (!(J_S < (1.0 - few) * J)) continue;
     found.push_back({operand.path, say("'{1}.J_S' is about the centre of mass, which is off the axis of '{1}': write "
@@ -81,7 +76,7 @@ void compare_tenth(const Step& step, const Project& project, std::vector<Reduced
     const auto& references = operand.expression.references();
     const Dimension& dimension = operand.leaf.field->dimension;
     if (references.empty() || !(dimension == of_inertia || dimension == mass)) continue;
-    const Step* const body = calculated_step(project, split_step(references.front().path).first);
+    const Step* const body = project.find(split_step(references.front().path).first);
     if (body == nullptr || std::string_view(body->input().calculator->id) != "dynamics.inertia") continue;
     const double rho = own_value(*body, project, "rho");
     if (!material_of(*body).empty() || !(std::abs(10.0 * rho - steel) <= few * steel)) continue;

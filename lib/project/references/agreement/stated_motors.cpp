@@ -27,8 +27,7 @@ constexpr std::array speeds{"n_1", "n", "n_2"};
 /// The speed that a drive starts from, if it is typed in the step: "n_1" of a pair, "n" of a bearing. Pins of links
 /// swing.
 std::string typed_speed(const Step& step) {
-  if (step.input().calculator == nullptr || std::string_view(step.input().calculator->id).starts_with("pin."))
-    return {};
+  if (std::string_view(step.input().calculator->id).starts_with("pin.")) return {};
   for (const char* const key : {"n_1", "n"}) {
     if (!step.input().reading.typed.contains(key)) continue;
     const FieldInfo* const field = find_field(step.input().calculator->input->fields, key);
@@ -46,7 +45,6 @@ bool is_first_of_drive(const Step& step, const Project& project) {
 bool is_speed_of_shaft(double n, const Project& project) {
   const auto is_it = [&](double there) { return std::abs(std::abs(there) - std::abs(n)) <= motor_slip * std::abs(n); };
   return std::ranges::any_of(project.steps, [&](const auto& step) {
-    if (step->input().calculator == nullptr) return false;
     for (const char* const key : speeds) {
       if (is_it(own_value(*step, project, key)) || is_it(magnitude_at(project, step->name() + "." + key))) return true;
     }

@@ -106,8 +106,8 @@ class StatedCheck {
     if (K_A == nullptr || !K_A->is_factor) return;
     const bool has_peak = std::ranges::any_of(project_.steps, [](const auto& step) {
       const Calculator* const calculator = step->input().calculator;
-      return calculator != nullptr && (find_field(calculator->input->fields, "k_max") != nullptr ||
-                                       find_field(calculator->input->fields, "T_max") != nullptr);
+      return find_field(calculator->input->fields, "k_max") != nullptr ||
+             find_field(calculator->input->fields, "T_max") != nullptr;
     });
     const double here = own("K_A");
     if (has_peak || !(stated.si > (1.0 + in_few_digits) * here)) return;
@@ -290,8 +290,7 @@ class StatedCheck {
 
   [[nodiscard]] bool is_vacuum_assessed() const {
     return std::ranges::any_of(project_.steps, [](const auto& step) {
-      return step->input().calculator != nullptr &&
-             find_field(step->input().calculator->input->fields, "p_e") != nullptr;
+      return find_field(step->input().calculator->input->fields, "p_e") != nullptr;
     });
   }
 

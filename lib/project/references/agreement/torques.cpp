@@ -23,7 +23,7 @@ bool types_torque(const Step& step) { return is_typed(step, "T") && step.input()
 /// A connection of a shaft that leaves both the application factor and the peak torque to their defaults.
 bool leaves_out_factor(const Step& step) {
   const Calculator* const calculator = step.input().calculator;
-  if (calculator == nullptr || !std::string_view(calculator->id).starts_with("shaft.") || !connects(step)) return false;
+  if (!std::string_view(calculator->id).starts_with("shaft.") || !connects(step)) return false;
   return find_field(calculator->input->fields, "K_A") != nullptr && types_torque(step) && !is_typed(step, "K_A") &&
          !is_typed(step, "T_max");
 }
@@ -31,7 +31,7 @@ bool leaves_out_factor(const Step& step) {
 /// Belts and chains have service factors of their own.
 bool has_application_factor(const Step& step) {
   const Calculator* const calculator = step.input().calculator;
-  if (calculator == nullptr || !is_typed(step, "K_A")) return false;
+  if (!is_typed(step, "K_A")) return false;
   const std::string_view id = calculator->id;
   return !id.starts_with("belt.") && !id.starts_with("chain.");
 }

@@ -19,9 +19,7 @@ constexpr double typed_digits = 1e-3;  // of a speed that is typed twice
 constexpr double creep = 0.05;         // by which wheels turn slower than their stage
 constexpr double losses = 0.85;        // power of the wheels over that of their shaft, at least
 
-std::string_view kind_of_step(const Step& step) {
-  return step.input().calculator == nullptr ? std::string_view() : std::string_view(step.input().calculator->id);
-}
+std::string_view kind_of_step(const Step& step) { return step.input().calculator->id; }
 
 /// Whether a path, "train.shafts[2].T", is within another, "train.shafts[2]".
 bool is_within(const std::string& path, const std::string& part) {
@@ -35,9 +33,8 @@ bool refers_into(const Step& step, const std::string& part) {
 }
 
 bool is_referred_to(const Project& project, const Step& train, const std::string& part) {
-  return std::ranges::any_of(project.steps, [&](const auto& step) {
-    return step.get() != &train && step->input().reading.record.data != nullptr && refers_into(*step, part);
-  });
+  return std::ranges::any_of(project.steps,
+                             [&](const auto& step) { return step.get() != &train && refers_into(*step, part); });
 }
 
 double at_shaft(const Project& project, const std::string& train, std::size_t number, const char* key) {

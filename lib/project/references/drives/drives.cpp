@@ -9,7 +9,6 @@
 namespace loadpath::project {
 
 std::vector<ReducedLoad> values_of_drives(const Step& step, const Project& project) {
-  if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return {};
   std::vector<ReducedLoad> all;
   for (const auto& found :
        {ratios_of_stages(step, project), loads_stated_otherwise(step, project), factors_cancelled(step, project),

@@ -35,9 +35,7 @@ bool takes_speed_of(const Step& step, const std::set<std::string>& drives) {
   });
 }
 
-double required_life(const Step& step, const Project& project) {
-  return step.input().calculator == nullptr ? std::nan("") : own_value(step, project, "L_h");
-}
+double required_life(const Step& step, const Project& project) { return own_value(step, project, "L_h"); }
 
 }  // namespace
 

@@ -69,11 +69,9 @@ double speed_at(const Project& project, const std::string& train, std::size_t nu
 }  // namespace
 
 std::vector<ReducedLoad> ratios_of_stages(const Step& step, const Project& project) {
-  if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return {};
   const auto place = place_of_load(step);
   const Step* const train = place ? project.find(place->train) : nullptr;
-  if (train == nullptr || train->input().calculator == nullptr || train->input().reading.record.data == nullptr)
-    return {};
+  if (train == nullptr) return {};
   if (find_field(train->input().calculator->input->fields, "stages") == nullptr) return {};
   if (is_part_of_stage(step, *train, *place)) return {};
   const auto own = ratio_of(step, project);

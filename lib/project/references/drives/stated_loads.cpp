@@ -33,10 +33,7 @@ bool has_input(const Step& step, const char* key) {
 }
 
 /// Drives have a speed at both sides, and their load as a power or a torque.
-bool is_drive(const Step& step) {
-  return step.input().calculator != nullptr && step.input().reading.record.data != nullptr && has_input(step, "n_1") &&
-         (has_input(step, "P") || has_input(step, "T_1"));
-}
+bool is_drive(const Step& step) { return has_input(step, "n_1") && (has_input(step, "P") || has_input(step, "T_1")); }
 
 /// The input that holds the load: "T_1"; empty if none is given.
 std::string load_of(const Step& step, const Project& project) {
@@ -138,7 +135,7 @@ bool is_loaded_drive(const Step& step, const Project& project) {
 
 /// A torque of a step without a speed on both sides: of a shaft, a key, a press fit; 0 if it has none.
 double single_torque(const Step& step, const Project& project) {
-  if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr || is_drive(step)) return 0.0;
+  if (is_drive(step)) return 0.0;
   const FieldInfo* const T = find_field(step.input().calculator->input->fields, "T");
   if (T == nullptr || !T->is_load || !(T->dimension == of_torque)) return 0.0;
   const double most = std::fmax(std::abs(own_value(step, project, "T")), std::abs(own_value(step, project, "T_max")));
@@ -251,7 +248,7 @@ bool is_rated(const std::string& path) {
 
 std::vector<ReducedLoad> factors_cancelled(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  if (step.input().calculator == nullptr || !has_input(step, "K_A")) return found;
+  if (!has_input(step, "K_A")) return found;
   const double K_A = own_value(step, project, "K_A");
   for (const Operand& operand : step.input().reading.operands) {
     if (!operand.leaf.field->is_load || operand.expression.is_reference()) continue;

@@ -34,7 +34,7 @@ Factors factors_of_shared(const Project& project, const std::string& path) {
 /// The field at a path: of a factor that is both an input and a result, the input, which says that it is one.
 const FieldInfo* field_of_factor(const Step& step, const std::string& path) {
   const Calculator* const calculator = step.input().calculator;
-  const FieldInfo* const input = calculator == nullptr ? nullptr : find_field(calculator->input->fields, path);
+  const FieldInfo* const input = find_field(calculator->input->fields, path);
   return input != nullptr && input->is_factor ? input : step.field(path);
 }
 

@@ -48,7 +48,7 @@ const Step* drive_before(const Step& step, const Project& project) {
     if (references.size() != 1) continue;
     const auto [name, rest] = split_step(references.front().path);
     const Step* const source = project.find(name);
-    if (source == nullptr || source == &step || source->input().calculator == nullptr) continue;
+    if (source == nullptr || source == &step) continue;
     if (rest == "n_2" || (rest == "omega" && is_flywheel(*source))) return source;
   }
   return nullptr;
@@ -76,7 +76,6 @@ bool takes_plain_load_from(const Step& step, const std::string& name) {
 }  // namespace
 
 std::vector<ReducedLoad> powers_of_chained(const Step& step, const Project& project) {
-  if (step.input().calculator == nullptr) return {};
   const Step* const before = drive_before(step, project);
   if (before == nullptr) return {};
   const bool is_taken = takes_load_from(step, before->name());

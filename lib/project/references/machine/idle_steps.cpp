@@ -18,10 +18,6 @@ bool is_within(double one, double other, double share) { return std::abs(one - o
 
 bool is_fatigue_limit(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
 
-bool is_read(const Step& step) {
-  return step.input().calculator != nullptr && step.input().reading.record.data != nullptr;
-}
-
 bool has_input(const Step& step, std::string_view key) {
   return find_field(step.input().calculator->input->fields, key) != nullptr;
 }
@@ -77,7 +73,7 @@ void compare_limit(const Step& step, const Project& project, std::vector<Reduced
   for (const char* const key : {"sigma_D", "tau_D"}) {
     if (!step.input().reading.typed.contains(key) || !means(*step.input().calculator, key, &is_fatigue_limit)) continue;
     for (const auto& other : project.steps) {
-      if (other.get() == &step || !is_read(*other) || is_taken(step, key, *other)) continue;
+      if (other.get() == &step || is_taken(step, key, *other)) continue;
       std::string path = other->name() + ".sigma_D";
       const bool is_found =
           finds_limit(*other, key) && !project.is_referred_to(path) && is_of_same_material(step, *other, project);
@@ -106,8 +102,7 @@ void compare_effective_length(const Step& step, const Project& project, std::vec
   const auto is_typed = [&](const char* key) { return step.input().reading.typed.contains(key); };
   if (std::ranges::none_of(keys_of_ends, is_typed)) return;
   for (const auto& other : project.steps) {
-    if (other.get() == &step || !is_read(*other) || !has_input(*other, "end_1") || !has_result(*other, "beta"))
-      continue;
+    if (other.get() == &step || !has_input(*other, "end_1") || !has_result(*other, "beta")) continue;
     const std::string beta = other->name() + ".beta";
     if (project.is_referred_to(beta) || project.is_referred_to(other->name() + ".s") ||
         !is_within(own_value(*other, project, "l"), own_value(step, project, "l"), 1e-3))
@@ -128,7 +123,6 @@ void compare_effective_length(const Step& step, const Project& project, std::vec
 
 std::vector<ReducedLoad> values_of_idle_steps(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  if (!is_read(step)) return found;
   compare_limit(step, project, found);
   compare_effective_length(step, project, found);
   return found;

@@ -170,9 +170,7 @@ bool bends_a_bar(std::string_view name, const Dimension& dimension) {
                       dimension == Dimension::of(0, 1, -2));
 }
 
-std::string_view id_of(const Step& step) {
-  return step.input().calculator == nullptr ? std::string_view() : std::string_view(step.input().calculator->id);
-}
+std::string_view id_of(const Step& step) { return step.input().calculator->id; }
 
 /// A component under the name of an input that is not given, if no other step has it; or a bending moment of a shaft
 /// that is assessed in torsion only.
@@ -185,9 +183,9 @@ void compare_component(const Step& step, const Project& project, const std::stri
       name == "M_b" && id_of(step) == "shaft.torsion" && value.signature.dimension == Dimension::of(2, 1, -2);
   if (si == 0.0 || !(is_input || is_bending)) return;
   const auto has_it = [&](const auto& other) {
-    if (other.get() == &step || other->input().calculator == nullptr) return false;
+    if (other.get() == &step) return false;
     if (is_bending && (id_of(*other) == "shaft.design" || id_of(*other) == "shaft.overhung")) return true;
-    return other->input().reading.record.data != nullptr && std::abs(own_value(*other, project, name)) >= si;
+    return std::abs(own_value(*other, project, name)) >= si;
   };
   if (std::ranges::any_of(project.steps, has_it)) return;
   if (is_bending)
@@ -273,7 +271,6 @@ void compare_bending(const Step& step, const Project& project, const std::string
 
 std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  if (step.input().calculator == nullptr) return found;
   for (const auto& [name, value] : project.values.unused()) {
     const double si = std::abs(value.si.front());
     if (value.signature.dimension.is_number()) compare_factor(step, project, name, si, found);

@@ -161,7 +161,7 @@ bool has_other_actions(const Step& mechanism) {
 /// A mechanism whose loads do no work: its drive moves masses only.
 void compare_work(const Step& mechanism, const Project& project, std::vector<ReducedLoad>& found) {
   const Record& record = mechanism.input().reading.record;
-  const FieldInfo* const loads = record.data == nullptr ? nullptr : find_field(record.type->fields, "loads");
+  const FieldInfo* const loads = find_field(record.type->fields, "loads");
   if (std::string_view(mechanism.input().calculator->id) != "mechanism.planar" || loads == nullptr) return;
   const std::size_t count = loads->size(record.data.get());
   if (count == 0 || has_other_actions(mechanism)) return;
@@ -180,7 +180,6 @@ void compare_masses(const Step& step, const Project& project, std::vector<Reduce
     const auto [name, rest] = split_step(record.source);
     const Step* const mechanism = project.find(name);
     if (record.path != "load" || !rest.starts_with("links.") || mechanism == nullptr || mechanism == &step) continue;
-    if (mechanism->input().calculator == nullptr || mechanism->input().reading.record.data == nullptr) continue;
     const double mass = own_value(*mechanism, project, rest + ".mass");
     const double volume =
         own_value(step, project, "b") * own_value(step, project, "h") * magnitude_at(project, step.name() + ".l");
@@ -197,7 +196,6 @@ void compare_masses(const Step& step, const Project& project, std::vector<Reduce
 
 std::vector<ReducedLoad> loads_of_mechanism(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  if (step.input().calculator == nullptr) return found;
   compare_parts_of_turn(step, project, found);
   compare_load_cases(step, project, found);
   compare_typed_forces(step, project, found);

@@ -25,7 +25,7 @@ double applied_factor(const Step& step, const Project& project, const std::strin
 
 bool applies_factor(const Step& step, const std::string& key) {
   const Calculator* const calculator = step.input().calculator;
-  const FieldInfo* const field = calculator == nullptr ? nullptr : find_field(calculator->input->fields, key);
+  const FieldInfo* const field = find_field(calculator->input->fields, key);
   return field != nullptr && field->is_factor;
 }
 
@@ -103,7 +103,6 @@ class RunCheck {
   RunCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
 
   std::vector<ReducedLoad> run() {
-    if (step_.input().calculator == nullptr) return {};
     speed_ = largest_input(&is_speed_of_run, speed_path_);
     compare_discs();
     compare_wheels_of_motor();
@@ -230,9 +229,7 @@ class RunCheck {
         continue;
       const std::string wheel = split_step(operand.expression.references().front().path).first;
       const Step* const source = project_.find(wheel);
-      if (source == nullptr || source->input().calculator == nullptr ||
-          !means(*source->input().calculator, "J", &is_inertia_of_flywheel))
-        continue;
+      if (source == nullptr || !means(*source->input().calculator, "J", &is_inertia_of_flywheel)) continue;
       const double u = own_value(step_, project_, prefix_of(operand.path) + "u");
       const double n = speed_ * std::abs(std::isnan(u) ? 1.0 : u);
       const double omega = std::abs(own_value(*source, project_, "omega"));
@@ -296,7 +293,7 @@ class RunCheck {
   void compare_flywheels() {
     for (const auto& wheel : project_.steps) {
       const Calculator* const calculator = wheel->input().calculator;
-      if (calculator == nullptr || !means(*calculator, "J", &is_inertia_of_flywheel)) continue;
+      if (!means(*calculator, "J", &is_inertia_of_flywheel)) continue;
       const double omega = own_value(*wheel, project_, "omega"), J = own_value(*wheel, project_, "J");
       if (!(std::abs(omega - speed_) <= near * speed_)) continue;
       compare_motor(wheel->name(), own_value(*wheel, project_, "P_n") / std::abs(omega));

@@ -23,7 +23,6 @@ bool is_choice(const Leaf& leaf) { return leaf && leaf.field->type == FieldInfo:
 
 /// A rating has the place of its pinion.
 Leaf place_of(const Step& step) {
-  if (step.input().calculator == nullptr) return {};
   const Leaf place = find_leaf(step.input().reading.record, "place");
   return is_choice(place) && find_leaf(step.input().reading.record, "d_sh") ? place : Leaf{};
 }
@@ -41,7 +40,7 @@ std::optional<std::pair<double, double>> bearings_of(const Step& shaft, const Pr
 /// The mounting of bevel gears next to the shafts that take them: a gear beyond the bearings is overhung.
 std::vector<ReducedLoad> mounting_on_shafts(const Step& step, const Project& project) {
   const Calculator* const calculator = step.input().calculator;
-  const Leaf mounting = calculator == nullptr ? Leaf{} : find_leaf(step.input().reading.record, "mounting");
+  const Leaf mounting = find_leaf(step.input().reading.record, "mounting");
   if (!is_choice(mounting) || std::string_view(calculator->id) != "gear.bevel") return {};
   std::set<std::string> overhung;
   std::string shafts;
@@ -117,7 +116,7 @@ class RatingCheck {
 
   /// Teeth that are cut into a shaft are of its steel.
   void compare_hardening(const Step& shaft) {
-    if (shaft.input().calculator == nullptr || shaft.input().tables == nullptr) return;
+    if (shaft.input().tables == nullptr) return;
     const std::string material = material_of(shaft);
     const auto row = shaft.input().tables->find_row("material", material);
     if (material.empty() || !row || row->row->kind == "case hardening steel") return;
@@ -162,7 +161,7 @@ class RatingCheck {
     for (const auto& reference : operand->expression.references()) {
       const auto [name, rest] = split_step(reference.path);
       const Step* const shaft = project_.find(name);
-      if (shaft == nullptr || shaft->input().calculator == nullptr || !rest.starts_with("seats")) continue;
+      if (shaft == nullptr || !rest.starts_with("seats")) continue;
       const std::string load = load_at(*shaft, prefix_of(rest));
       const auto [pair, gear] = split_step(load);
       if (!load.empty() && !(is_pair(pair) && gear == "gear_" + number)) {

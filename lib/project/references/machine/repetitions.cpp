@@ -85,7 +85,6 @@ void compare_blocks(const Step& step, const Project& project, std::vector<Reduce
 
 std::vector<ReducedLoad> repetitions_of_others(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return found;
   compare_histories(step, project, found);
   compare_turns(step, project, found);
   compare_blocks(step, project, found);

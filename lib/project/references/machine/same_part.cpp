@@ -39,8 +39,7 @@ std::vector<TakenSize> sizes_taken(const Step& step, const Project& project) {
     if (operand.leaf.field->dimension != m.dimension() || !operand.expression.is_reference()) continue;
     auto [name, rest] = split_step(operand.expression.references().front().path);
     const Step* const source = project.find(name);
-    if (source != nullptr && source != &step && source->input().calculator != nullptr)
-      all.push_back({&operand, source, std::move(rest)});
+    if (source != nullptr && source != &step) all.push_back({&operand, source, std::move(rest)});
   }
   return all;
 }
@@ -50,7 +49,6 @@ class PartCheck {
   PartCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
 
   std::vector<ReducedLoad> run() {
-    if (step_.input().calculator == nullptr) return {};
     for (const TakenSize& size : sizes_taken(step_, project_)) {
       compare_bore(size);
       compare_measure(size);
@@ -183,7 +181,7 @@ class PartCheck {
     parts.insert(cycle.name());
     for (const std::string& name : parts) {
       const Step* const part = project_.find(name);
-      if (part == nullptr || part->input().calculator == nullptr || connects(*part)) continue;
+      if (part == nullptr || connects(*part)) continue;
       const std::string_view id = part->input().calculator->id;
       if (!id.starts_with("shaft.") && !id.starts_with("link.")) continue;
       const double d = magnitude_at(project_, name + ".d"), bore = magnitude_at(project_, name + ".d_bore");

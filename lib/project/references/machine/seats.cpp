@@ -22,7 +22,6 @@ class SeatCheck {
   SeatCheck(const Step& shaft, const Project& project) : shaft_(shaft), project_(project) {}
 
   std::vector<ReducedLoad> run() {
-    if (shaft_.input().calculator == nullptr) return {};
     for (const Taken& record : shaft_.input().reading.records) {
       if (record.path.ends_with(".load")) compare_width(record), compare_wheel(record);
       if (record.path.ends_with(".connection")) compare_factor(record), compare_hub(record), compare_strength(record);
@@ -101,8 +100,7 @@ class SeatCheck {
   /// include it.
   void compare_factor(const Taken& record) {
     const Step* const connection = project_.find(split_step(record.source).first);
-    if (connection == nullptr || connection->input().calculator == nullptr || takes_loads() ||
-        steps_loading(connection->input().reading).contains(shaft_.name()))
+    if (connection == nullptr || takes_loads() || steps_loading(connection->input().reading).contains(shaft_.name()))
       return;
     const double own = own_value(shaft_, project_, "K_A"), of_connection = own_value(*connection, project_, "K_A");
     if (!(of_connection > (1.0 + rounded) * own)) return;
@@ -113,7 +111,7 @@ class SeatCheck {
   /// The hub that a key, spline or fit is calculated with is the one on the shaft.
   void compare_hub(const Taken& record) {
     const Step* const connection = project_.find(split_step(record.source).first);
-    if (connection == nullptr || connection->input().calculator == nullptr) return;
+    if (connection == nullptr) return;
     const std::string path = prefix_of(record.path) + "b";
     const double b = own_value(shaft_, project_, path), l_n = own_value(*connection, project_, "l_n");
     if (!(b < (1.0 - rounded) * l_n)) return;
@@ -125,7 +123,7 @@ class SeatCheck {
   void compare_strength(const Taken& record) {
     constexpr double most = 1.25;
     const Step* const connection = project_.find(split_step(record.source).first);
-    if (connection == nullptr || connection->input().calculator == nullptr) return;
+    if (connection == nullptr) return;
     const double there = own_value(*connection, project_, "R_e_1");
     const double R_e = magnitude_at(project_, shaft_.name() + ".R_e");
     if (!(there > most * R_e)) return;

@@ -111,7 +111,7 @@ void compare_loading(const Step& step, const Project& project, std::vector<Reduc
   const auto cycle = std::ranges::find(reading.records, "cycle", &Taken::path);
   if (limit == nullptr || limit->expression.references().size() != 1 || cycle == reading.records.end()) return;
   const Step* const source = project.find(split_step(limit->expression.references().front().path).first);
-  if (source == nullptr || source->input().reading.record.data == nullptr) return;
+  if (source == nullptr) return;
   const Leaf loading = find_leaf(source->input().reading.record, "loading");
   if (!loading || word_of(loading) != "bending") return;
   const std::string part = split_step(cycle->source).first;
@@ -131,8 +131,7 @@ void compare_hoist(const Step& step, const Project& project, std::vector<Reduced
   const auto& typed = step.input().reading.typed;
   if (find_field(fields, "motor") == nullptr || find_field(fields, "load") == nullptr || typed.contains("load")) return;
   const auto lifts = [&](const auto& other) {
-    return other->input().calculator != nullptr &&
-           find_field(other->input().calculator->input->fields, "weights") != nullptr;
+    return find_field(other->input().calculator->input->fields, "weights") != nullptr;
   };
   const auto hoist = std::ranges::find_if(project.steps, lifts);
   if (hoist == project.steps.end() || steps_named_in(step.input().reading).contains((*hoist)->name())) return;
@@ -220,7 +219,6 @@ void compare_gravity(const Step& step, const Project& project, std::vector<Reduc
 
 std::vector<ReducedLoad> values_of_unlinked(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return found;
   compare_load_of_mate(step, project, found);
   compare_factor_of_mate(step, project, found);
   compare_mate(step, project, found);

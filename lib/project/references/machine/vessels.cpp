@@ -21,8 +21,7 @@ constexpr double few_digits = 1e-3;  // of a value that is typed
 
 bool hands_over(const Step& step, std::string_view key) {
   const Calculator* const calculator = step.input().calculator;
-  const FieldInfo* const field =
-      calculator == nullptr || calculator->result == nullptr ? nullptr : find_field(calculator->result->fields, key);
+  const FieldInfo* const field = calculator->result == nullptr ? nullptr : find_field(calculator->result->fields, key);
   return field != nullptr && field->is_handed_over;
 }
 
@@ -70,7 +69,7 @@ void compare_test(const Step& step, const Project& project, std::vector<ReducedL
   if (shell == records.end()) return;
   const std::string name = split_step(shell->source).first;
   const Step* const tested = project.find(name);
-  if (tested == nullptr || tested->input().calculator == nullptr) return;
+  if (tested == nullptr) return;
   const double p_t = own_value(step, project, "p_t"), of_shell = own_value(*tested, project, "p_t");
   if (std::isnan(p_t) && of_shell > 0.0) {
     found.push_back({"p_t", say("'{1}' is tested with {2}, and this end is not assessed for it: give p_t, or "
@@ -101,8 +100,7 @@ void compare_vacuum(const Step& step, const Project& project, std::vector<Reduce
 /// Whether a step under external pressure takes the record or the sizes of this wall.
 bool is_assessed_from_outside(const Step& wall, const Project& project) {
   return std::ranges::any_of(project.steps, [&](const auto& step) {
-    return step->input().calculator != nullptr &&
-           find_field(step->input().calculator->input->fields, "p_e") != nullptr &&
+    return find_field(step->input().calculator->input->fields, "p_e") != nullptr &&
            find_field(step->input().calculator->input->fields, "wall") != nullptr &&
            steps_named_in(step->input().reading).contains(wall.name());
   });
@@ -169,9 +167,7 @@ bool are_of_one_vessel(const Step& wall, const Step& other) {
   return !pressure.empty() && pressure == shared_pressure(other);
 }
 
-bool is_wall(const Step& step) {
-  return step.input().calculator != nullptr && std::string_view(step.input().calculator->id).starts_with("vessel.");
-}
+bool is_wall(const Step& step) { return std::string_view(step.input().calculator->id).starts_with("vessel."); }
 
 /// The allowable stress of a wall without a material, next to another one of its vessel.
 void compare_wall(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
@@ -196,7 +192,6 @@ void compare_wall(const Step& step, const Project& project, std::vector<ReducedL
 
 std::vector<ReducedLoad> values_of_vessels(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
-  if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return found;
   compare_shell(step, project, found);
   compare_share(step, project, found);
   compare_test(step, project, found);

@@ -14,7 +14,7 @@ namespace {
 
 bool has_id(const Step& step, std::string_view id) {
   const Calculator* const calculator = step.input().calculator;
-  return calculator != nullptr && id == calculator->id;
+  return id == calculator->id;
 }
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }

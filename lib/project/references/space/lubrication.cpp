@@ -11,9 +11,7 @@ namespace {
 
 constexpr std::string_view rated_bearing = "bearing.rolling";
 
-bool is_bearing(const Step& step) {
-  return step.input().calculator != nullptr && rated_bearing == step.input().calculator->id;
-}
+bool is_bearing(const Step& step) { return rated_bearing == step.input().calculator->id; }
 
 /// Whether the rating life includes the lubricant, by nu or kappa, or a life factor given as a whole.
 bool has_lubricant(const Step& step, const Project& project) {

@@ -94,7 +94,7 @@ class SeatNotches {
 }  // namespace
 
 std::vector<ReducedLoad> notches_of_seats(const Step& step, const Project& project) {
-  if (step.input().reading.record.data == nullptr || !is_shaft(step)) return {};
+  if (!is_shaft(step)) return {};
   return SeatNotches(step, project).run();
 }
 

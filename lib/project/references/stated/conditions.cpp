@@ -176,8 +176,7 @@ class Conditions {
     const double most = is_valve && !is_limit && !is_test ? of_valves : 1.0 + in_few_digits;
     const auto covers = [&](const auto& other) {
       const auto is_above = [&](const char* key) { return own_value(*other, project_, key) * most >= si; };
-      return other->input().calculator != nullptr &&
-             std::string_view(other->input().calculator->id).starts_with("vessel.") &&
+      return std::string_view(other->input().calculator->id).starts_with("vessel.") &&
              (is_above("p") || (is_test && is_above("p_t")));
     };
     if (std::isnan(own("p")) || std::ranges::any_of(project_.steps, covers)) return;
@@ -201,11 +200,11 @@ class Conditions {
   [[nodiscard]] bool is_pin() const { return id_.starts_with("pin."); }
 
   [[nodiscard]] static bool is_of_fatigue(const Step& step) {
-    return step.input().calculator != nullptr && std::string_view(step.input().calculator->id).starts_with("fatigue.");
+    return std::string_view(step.input().calculator->id).starts_with("fatigue.");
   }
 
   [[nodiscard]] static bool is_shaft_design(const Step& step) {
-    return step.input().calculator != nullptr && step.input().calculator->id == std::string_view("shaft.design");
+    return step.input().calculator->id == std::string_view("shaft.design");
   }
 
   /// Load cycles of a part whose fatigue nothing assesses.

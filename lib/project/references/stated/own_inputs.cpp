@@ -41,9 +41,7 @@ bool is_same_or_foreign(const std::string& name, const Dimension& dimension, dou
 }
 
 const FieldInfo* input_of(const Step& step, std::string_view key) {
-  const Calculator* const calculator = step.input().calculator;
-  const bool has_record = calculator != nullptr && step.input().reading.record.data != nullptr;
-  return has_record ? find_field(calculator->input->fields, key) : nullptr;
+  return find_field(step.input().calculator->input->fields, key);
 }
 
 /// The value of an input: typed, of a row, of a record or found.

@@ -22,7 +22,6 @@ using stated::speed;
 
 const FieldInfo* field_of(const Step& step, const std::string& name, bool of_results) {
   const Calculator* const calculator = step.input().calculator;
-  if (calculator == nullptr || step.input().reading.record.data == nullptr) return nullptr;
   if (!of_results) return find_field(calculator->input->fields, name);
   return calculator->result == nullptr ? nullptr : find_field(calculator->result->fields, name);
 }
@@ -132,7 +131,6 @@ class Results {
 
   /// Whether an input or a result of the step is this speed.
   [[nodiscard]] bool turns(const Step& step, double stated) const {
-    if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return false;
     const auto is_it = [&](double si) { return std::abs(std::abs(si) - stated) <= rounded * stated; };
     bool found = false;
     for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {

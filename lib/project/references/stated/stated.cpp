@@ -12,7 +12,6 @@
 namespace loadpath::project {
 
 std::vector<ReducedLoad> values_not_taken(const Step& step, const Project& project) {
-  if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return {};
   std::vector<ReducedLoad> all;
   for (const auto& found : {inputs_stated_otherwise(step, project), conditions_stated_only(step, project),
                             bodies_stated_only(step, project), columns_stated_otherwise(step, project),

@@ -224,7 +224,7 @@ class OriginCheck {
 
   /// Whether the material of the step has another strength at another size; without a row any size counts.
   bool has_other_strength(double size, double other) const {
-    if (std::abs(size - other) <= most_apart * size) return false;
+    if (is_near(other, size, most_apart)) return false;
     const auto row = step_.input().tables->find_row("material", material_of(step_));
     if (!row) return true;
     const auto differs = [&](const char* column) {
@@ -242,7 +242,7 @@ class OriginCheck {
     if (paths.size() != 1 || project_.find(split_step(*paths.begin()).first) == nullptr) return;
     const double ratio = std::abs(magnitude_at(project_, *paths.begin())),
                  own = std::abs(magnitude_of(operand, project_));
-    const auto is = [&](double other) { return std::abs(own - other) <= most_apart * other; };
+    const auto is = [&](double other) { return is_near(own, other, most_apart); };
     if (!(ratio > 0.0) || std::isnan(own) || is(ratio) || is(1.0 / ratio)) return;
     add(operand.path, say("{1} = {2} is neither '{3}' = {4} nor its reciprocal; justify it: because.{1} = \"...\"",
                           operand.path, format_number(own, 4), *paths.begin(), format_number(ratio, 4)));

@@ -3,6 +3,7 @@
 
 #include "lib/project/project.hpp"
 
+#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
@@ -34,6 +35,9 @@ class NotedReads {
  private:
   std::set<std::string> paths_;
 };
+
+/// Whether a value differs from another one by at most this share of it; not if one of them is not known.
+inline bool is_near(double value, double other, double share) { return std::abs(value - other) <= share * other; }
 
 /// How a reason for an input is written in a file: "because.F", because."seats[2].J".
 std::string because_key(const std::string& path);

@@ -116,7 +116,7 @@ class LineCheck {
     for (const auto& other : project_.steps) {
       if (!is_train(*other)) continue;
       const double n = std::abs(magnitude_at(project_, other->name() + ".shafts[1].n"));
-      if (std::abs(speed_ - n) <= digits * n) add_shafts(other->name(), digits, others);
+      if (is_near(speed_, n, digits)) add_shafts(other->name(), digits, others);
     }
     return others.size() == 1 ? others : std::vector<LineShaft>{};
   }
@@ -171,7 +171,7 @@ class LineCheck {
   /// The speed of the wheel over that of the run; 1 at the same speed, NaN if the wheel is on no shaft of the run.
   [[nodiscard]] double ratio_of(const Step& wheel) const {
     const double omega = std::abs(own_value(wheel, project_, "omega"));
-    if (std::abs(omega - speed_) <= slip * speed_) return 1.0;
+    if (is_near(omega, speed_, slip)) return 1.0;
     for (const Operand& operand : run_.input().reading.operands) {
       const auto& references = operand.expression.references();
       if (!operand.expression.is_reference() || !operand.path.ends_with(".J")) continue;

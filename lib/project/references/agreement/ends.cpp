@@ -42,7 +42,7 @@ bool have_one_pressure(const Step& end, const Step& shell, const Project& projec
   const std::string shared = pressure_of(end);
   if (!shared.empty()) return pressure_of(shell) == shared;
   const double p = own_value(end, project, "p");
-  return p > 0.0 && std::abs(own_value(shell, project, "p") - p) <= as_typed * p;
+  return p > 0.0 && is_near(own_value(shell, project, "p"), p, as_typed);
 }
 
 /// A cone, an ellipsoid or a hemisphere with the pressure of the shells of the file, none of which has its radius.

@@ -219,7 +219,7 @@ std::vector<ReducedLoad> lug_of_pin(const Step& lug, const Project& project) {
                       format_quantity(d, "mm", 4), pin->name(), format_quantity(of_pin, "mm", 4))}};
   const double F = std::abs(own_value(lug, project, "F")), there = std::abs(own_value(*pin, project, "F"));
   const double t = own_value(lug, project, "t"), t_1 = own_value(*pin, project, "t_1");
-  if (!(std::abs(t - t_1) <= as_rounded * t_1) || !(F < (1.0 - as_rounded) * there)) return {};
+  if (!is_near(t, t_1, as_rounded) || !(F < (1.0 - as_rounded) * there)) return {};
   return {{"F", say("F = {1}, and the pin '{2}' in this eye carries {3}: take load = \"={2}.eye\", or because.F = "
                     "\"...\"",
                     format_quantity(F, "kN", 4), pin->name(), format_quantity(there, "kN", 4))}};

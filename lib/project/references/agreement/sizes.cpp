@@ -79,7 +79,7 @@ void compare_tenth(const Step& step, const Project& project, std::vector<Reduced
     const Step* const body = project.find(split_step(references.front().path).first);
     if (body == nullptr || std::string_view(body->input().calculator->id) != "dynamics.inertia") continue;
     const double rho = own_value(*body, project, "rho");
-    if (!material_of(*body).empty() || !(std::abs(10.0 * rho - steel) <= few * steel)) continue;
+    if (!material_of(*body).empty() || !is_near(10.0 * rho, steel, few)) continue;
     found.push_back({operand.path, say("'{1}' has rho = {2}, a tenth of that of steel: correct it, or {3} = \"...\"",
                                        body->name(), format_quantity(rho, "kg/m^3", 4), because_key(operand.path))});
   }

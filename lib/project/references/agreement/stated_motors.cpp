@@ -43,7 +43,7 @@ bool is_first_of_drive(const Step& step, const Project& project) {
 
 /// Whether a shaft of the file has this speed, but for the slip: of an input, a result, or a train.
 bool is_speed_of_shaft(double n, const Project& project) {
-  const auto is_it = [&](double there) { return std::abs(std::abs(there) - std::abs(n)) <= motor_slip * std::abs(n); };
+  const auto is_it = [&](double there) { return is_near(std::abs(there), std::abs(n), motor_slip); };
   return std::ranges::any_of(project.steps, [&](const auto& step) {
     for (const char* const key : speeds) {
       if (is_it(own_value(*step, project, key)) || is_it(magnitude_at(project, step->name() + "." + key))) return true;
@@ -62,7 +62,7 @@ bool is_geared(double n, double drive, const Project& project) {
     const auto& [name, value] = entry;
     const double i = std::abs(value.si.front());
     const bool is_ratio = value.signature.dimension.is_number() && has_word(name, {"i", "ratio"});
-    return is_ratio && std::abs(n / i - drive) <= motor_slip * drive;
+    return is_ratio && is_near(n / i, drive, motor_slip);
   });
 }
 

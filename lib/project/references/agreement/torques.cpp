@@ -38,7 +38,7 @@ bool has_application_factor(const Step& step) {
 
 /// Whether a step has this nominal torque, as an input or a result.
 bool has_torque(const Step& step, double T, const Project& project) {
-  const auto is_it = [&](double there) { return std::abs(std::abs(there) - T) <= equal_torques * T; };
+  const auto is_it = [&](double there) { return is_near(std::abs(there), T, equal_torques); };
   for (const char* const key : {"T", "T_1", "T_2"}) {
     if (is_it(own_value(step, project, key)) || is_it(magnitude_at(project, step.name() + "." + key))) return true;
   }

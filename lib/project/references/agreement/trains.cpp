@@ -160,7 +160,7 @@ class WheelCheck {
  private:
   [[nodiscard]] bool is_behind(const std::string& train, std::size_t k) const {
     const double behind = at_shaft(project_, train, k + 1, "n");
-    return std::abs(n_2_ - behind) <= creep * behind;
+    return is_near(n_2_, behind, creep);
   }
 
   /// Wheels with the load of a shaft turn the next one.

@@ -95,7 +95,7 @@ bool is_explained(const Step& step, const Project& project, const Operand& opera
     if (field.type != FieldInfo::Type::count && !is_ratio) return false;  // a safety factor explains no share
     if (key.starts_with("z_")) return false;                              // teeth share no load
     const double number = std::abs(own_value(step, project, field.key));
-    return std::abs(number * share - 1.0) <= few_digits || std::abs(number - share) <= few_digits * share;
+    return is_near(number * share, 1.0, few_digits) || is_near(number, share, few_digits);
   });
 }
 
@@ -218,7 +218,7 @@ bool names_size(std::string_view name, std::string_view letters) {
 
 /// A radius that is a quarter of a diameter: "R = =values.D/4".
 bool is_quarter(std::string_view key, std::string_view name, double share) {
-  return names_size(key, "R") && names_size(name, "dD") && std::abs(share - 0.25) <= few_digits * share;
+  return names_size(key, "R") && names_size(name, "dD") && is_near(0.25, share, few_digits);
 }
 
 /// A diameter or a radius that is a part of the value under its own name: "D = =values.D/2" is a radius.

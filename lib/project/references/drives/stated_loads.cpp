@@ -99,7 +99,7 @@ std::vector<ReducedLoad> loads_stated_otherwise(const Step& step, const Project&
     if (!(si > (1.0 + rounded) * factors * own) || si > implausible_ratio * own) continue;
     bool is_carried = false;  // by another drive of the file
     for (const auto& other : project.steps) {
-      if (other.get() == &step || !is_drive(*other)) continue;
+      if (!is_drive(*other)) continue;
       is_carried = is_carried || meant_load(*other, project, name, dimension) >= (1.0 - rounded) * si;
     }
     if (is_carried) continue;
@@ -258,9 +258,7 @@ std::vector<ReducedLoad> factors_cancelled(const Step& step, const Project& proj
       if (std::isnan(taken) || project.value(reference.path)->signature.dimension != operand.leaf.field->dimension)
         continue;
       const double divisor = stated / taken, of_file = std::abs(magnitude_at(project, "values.K_A"));
-      const auto is = [&](double factor) {
-        return factor > 1.0 && std::abs(divisor - factor) <= typed_digits * factor;
-      };
+      const auto is = [&](double factor) { return factor > 1.0 && is_near(divisor, factor, typed_digits); };
       if (!is_rated(reference.path) || !(is(K_A) || is(of_file))) continue;
       found.push_back(
           {operand.path, say("{1} is '{2}' divided by the application factor, which then has no effect: write {1} = "

@@ -14,8 +14,6 @@ namespace loadpath::project {
 
 namespace {
 
-bool is_within(double one, double other, double share) { return std::abs(one - other) <= share * other; }
-
 bool is_fatigue_limit(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
 
 bool has_input(const Step& step, std::string_view key) {
@@ -30,7 +28,7 @@ bool has_result(const Step& step, std::string_view key) {
 bool is_of_same_material(const Step& one, const Step& other, const Project& project) {
   const std::string row = material_of(one);
   if (!row.empty() && row == material_of(other)) return true;
-  return is_within(own_value(other, project, "R_m"), own_value(one, project, "R_m"), 0.01);
+  return is_near(own_value(other, project, "R_m"), own_value(one, project, "R_m"), 0.01);
 }
 
 /// Whether a step finds such a fatigue limit and takes none: in torsion that of shear stresses.
@@ -105,7 +103,7 @@ void compare_effective_length(const Step& step, const Project& project, std::vec
     if (other.get() == &step || !has_input(*other, "end_1") || !has_result(*other, "beta")) continue;
     const std::string beta = other->name() + ".beta";
     if (project.is_referred_to(beta) || project.is_referred_to(other->name() + ".s") ||
-        !is_within(own_value(*other, project, "l"), own_value(step, project, "l"), 1e-3))
+        !is_near(own_value(*other, project, "l"), own_value(step, project, "l"), 1e-3))
       continue;
     const double found_there = magnitude_at(project, beta);
     for (const char* const key : keys_of_ends) {

@@ -117,7 +117,7 @@ class RunCheck {
   }
 
  private:
-  static constexpr double near = 0.1;           // slip
+  static constexpr double slip = 0.1;
   static constexpr double most_of_motor = 3.5;  // breakdown torque over rated torque, motors with a squirrel cage
 
   void add(const std::string& path, Message message) {
@@ -145,7 +145,7 @@ class RunCheck {
       if (std::isnan(there)) break;
       if (std::isnan(n)) n = there;
       ratios.push_back(there / speed_);
-      if (std::abs(speed_ - there) <= near * there) T = std::abs(magnitude_at(project_, shaft + "T")), n = speed_;
+      if (is_near(speed_, there, slip)) T = std::abs(magnitude_at(project_, shaft + "T")), n = speed_;
     }
     if (!std::isnan(n) && n != speed_)
       add(speed_path_, say("{1} = {2} is the speed of no shaft of '{3}'; justify it: because.{1} = \"...\"",
@@ -157,7 +157,7 @@ class RunCheck {
   /// The torque of a belt, a chain or a pair that starts at this speed; NaN of others.
   [[nodiscard]] double torque_of_drive(const std::string& drive) const {
     const double n_1 = std::abs(magnitude_at(project_, drive + ".n_1"));
-    if (!(std::abs(speed_ - n_1) <= near * n_1)) return std::nan("");
+    if (!is_near(speed_, n_1, slip)) return std::nan("");
     return std::abs(magnitude_at(project_, drive + ".P")) / n_1;
   }
 
@@ -166,7 +166,7 @@ class RunCheck {
     for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
       if (!leaf.field->is_number() || !means(*step_.input().calculator, path, &is_ratio_of_speeds)) return;
       const double u = std::abs(own_value(step_, project_, path));
-      const auto is_u = [&](double ratio) { return std::abs(u - ratio) <= near * ratio; };
+      const auto is_u = [&](double ratio) { return is_near(u, ratio, slip); };
       if (std::isnan(u) || std::any_of(ratios.begin(), ratios.end(), is_u)) return;
       add("parts", say("{1} = {2} is the ratio of no shaft of '{3}'; justify it: because.parts = \"...\"", path,
                        format_number(u, 4), train));
@@ -295,7 +295,7 @@ class RunCheck {
       const Calculator* const calculator = wheel->input().calculator;
       if (!means(*calculator, "J", &is_inertia_of_flywheel)) continue;
       const double omega = own_value(*wheel, project_, "omega"), J = own_value(*wheel, project_, "J");
-      if (!(std::abs(omega - speed_) <= near * speed_)) continue;
+      if (!is_near(omega, speed_, slip)) continue;
       compare_motor(wheel->name(), own_value(*wheel, project_, "P_n") / std::abs(omega));
       if (is_named_in_parts(wheel->name()) || is_among_parts(J)) continue;
       add("parts", say("the flywheel '{1}' turns at this speed, and is not among the parts: add J = \"={1}.{2}\", or "
@@ -319,7 +319,7 @@ class RunCheck {
     bool found = false;
     for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
       const bool is_inertia = path.ends_with(".J") && leaf.field->is_number();
-      found = found || (is_inertia && std::abs(own_value(step_, project_, path) - J) <= near * J);
+      found = found || (is_inertia && is_near(own_value(step_, project_, path), J, slip));
     });
     return found;
   }

@@ -17,7 +17,7 @@ namespace loadpath::project {
 namespace {
 
 /// Equal but for the digits that are typed.
-bool is_alike(double one, double other, double share = 1e-3) { return std::abs(one - other) <= share * other; }
+bool is_alike(double one, double other) { return is_near(one, other, 1e-3); }
 
 double typed_value(const Step& step, const Project& project, const char* path) {
   return std::abs(own_value(step, project, path));

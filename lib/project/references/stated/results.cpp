@@ -74,7 +74,7 @@ bool is_one(const Project& project, const std::string& name, const Dimension& di
             ValueOf value_of) {
   return std::ranges::all_of(project.steps, [&](const auto& step) {
     const double there = value_of(*step, project, name, dimension);
-    return std::isnan(there) || std::abs(there - here) <= rounded * here;
+    return std::isnan(there) || is_near(there, here, rounded);
   });
 }
 
@@ -112,8 +112,7 @@ class Results {
     const bool is_ratio = dimension.is_number() && name == "i";
     if (!is_ratio && (!is_comparable(dimension) || dimension == duration)) return;
     const double here = meant_result(step_, project_, name, dimension);
-    if (std::isnan(here) || std::abs(here - stated) <= rounded * stated ||
-        !is_one(project_, name, dimension, here, &meant_result))
+    if (std::isnan(here) || is_near(here, stated, rounded) || !is_one(project_, name, dimension, here, &meant_result))
       return;
     add(name, stated, name, here, dimension);
   }
@@ -131,7 +130,7 @@ class Results {
 
   /// Whether an input or a result of the step is this speed.
   [[nodiscard]] bool turns(const Step& step, double stated) const {
-    const auto is_it = [&](double si) { return std::abs(std::abs(si) - stated) <= rounded * stated; };
+    const auto is_it = [&](double si) { return is_near(std::abs(si), stated, rounded); };
     bool found = false;
     for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
       found = found || (is_of_rotation(leaf.field->dimension) && is_it(own_value(step, project_, path)));

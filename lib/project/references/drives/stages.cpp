@@ -78,9 +78,9 @@ std::vector<ReducedLoad> ratios_of_stages(const Step& step, const Project& proje
   const std::size_t number = std::stoul(place->number);
   const double n_1 = speed_at(project, place->train, number), n_2 = speed_at(project, place->train, number + 1);
   const double n = std::abs(own_value(step, project, "n_1"));
-  if (!own || !(n_1 > 0.0) || !(n_2 > 0.0) || !(std::abs(n - n_1) <= same_speed * n_1)) return {};
+  if (!own || !(n_2 > 0.0) || !is_near(n, n_1, same_speed)) return {};
   const double i = n_1 / n_2;
-  if (std::abs(own->i - i) <= own->tolerance * i) return {};
+  if (is_near(own->i, i, own->tolerance)) return {};
   return {
       {own->wheel, say("the ratio of this drive is {1}, and that of the stage of '{2}', whose load is used, is {3}: "
                        "correct one of them, or because.{4} = \"...\"",

@@ -116,7 +116,6 @@ class RatingCheck {
 
   /// Teeth that are cut into a shaft are of its steel.
   void compare_hardening(const Step& shaft) {
-    if (shaft.input().tables == nullptr) return;
     const std::string material = material_of(shaft);
     const auto row = shaft.input().tables->find_row("material", material);
     if (material.empty() || !row || row->row->kind == "case hardening steel") return;

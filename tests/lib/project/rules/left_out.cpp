@@ -1,6 +1,7 @@
 // Each condition of the rules for loads and factors of [values] that no step takes.
 #include "lib/project/references/machine/left_out.hpp"
 
+#include "lib/project/references/drives/stated_loads.hpp"
 #include "tests/lib/project/rules/rows.hpp"
 
 #include <string>
@@ -138,5 +139,107 @@ TEST_SUITE("project: loads left out") {
     const std::string bar = example_of("column.buckling");
     check(bar + "\n" + example_of("column.beam_column"), {{"q = \"2 kN/m\"", ""}});
     check(example_of("pin.lug"), {{"q = \"2 kN/m\"", ""}, {"M_b = \"2 kN*m\"", ""}});
+  }
+}
+
+TEST_SUITE("project: loads of drives") {
+  TEST_CASE("a load of [values] that no drive carries") {  // 3 kW at 96 rpm: 298.4 N*m
+    const std::string chain = example_of("chain.roller");
+    const auto asked = [](const std::string& steps, std::initializer_list<ValuesRow> rows) {
+      check_values(&project::loads_stated_otherwise, steps, rows);
+    };
+    asked(chain, {{"T_1 = \"400 N*m\"", "P"},
+                  {"T_1 = \"-400 N*m\"", "P"},
+                  {"T_1 = \"300 N*m\"", ""},
+                  {"T_1 = \"200 N*m\"", ""},
+                  {"T_1 = \"14800 N*m\"", "P"},
+                  {"T_1 = \"15100 N*m\"", ""},
+                  {"T_1 = \"400 J\"", ""},
+                  {"T_1 = \"400 N\"", ""},
+                  {"T_3 = \"400 N*m\"", ""},
+                  {"T_2 = \"800 N*m\"", ""},
+                  {"T_2 = \"900 N*m\"", "P"},
+                  {"T = \"800 N*m\"", ""},
+                  {"T = \"900 N*m\"", "P"},
+                  {"T_start = \"900 N*m\"", "P"},
+                  {"P = \"4 kW\"", ""},
+                  {"P_1 = \"4 kW\"", "P"},
+                  {"P_start = \"4 kW\"", ""},
+                  {"P_loss = \"4 kW\"", ""}});
+    const auto other = [&](const std::string& P) {
+      return chain + "\n" + with_lines(example_of("chain.roller"), "P = \"" + P + "\"").replace(1, 8, "other");
+    };
+    asked(other("5 kW"), {{"T_1 = \"400 N*m\"", ""}});
+    asked(other("3.5 kW"), {{"T_1 = \"400 N*m\"", "P"}});
+    asked(other("3.95 kW"), {{"T_1 = \"400 N*m\"", ""}});  // 392.9 N*m
+    const std::string motor =
+        "\n[m]\ncalculator = \"shaft.torsion\"\nP = \"4 kW\"\nn = \"96 rpm\"\nd = \"60 mm\"\ntau_adm = \"40 MPa\"\n";
+    asked(chain + motor, {{"P_1 = \"4 kW\"", "P"}});
+    const std::string pair = example_of("gear.pair");
+    asked(pair, {{"F_t = \"1 N\"", ""}});
+  }
+
+  TEST_CASE("gears without a load") {
+    const std::string pair = "[g]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 60\nm_n = \"3 mm\"\nb = \"30 mm\"\n";
+    const auto asked = [](const std::string& steps, std::initializer_list<ValuesRow> rows) {
+      check_values(&project::loads_of_unloaded_gears, steps, rows);
+    };
+    asked(pair, {{"P = \"3 kW\"", "m_n"},
+                 {"P_1 = \"3 kW\"", "m_n"},
+                 {"P_start = \"3 kW\"", "m_n"},
+                 {"P_loss = \"3 kW\"", ""},
+                 {"T = \"30 N*m\"", "m_n"},
+                 {"T_1 = \"30 N*m\"", "m_n"},
+                 {"T_2 = \"30 N*m\"", "m_n"},
+                 {"T_start = \"30 N*m\"", "m_n"},
+                 {"T_x = \"30 N*m\"", ""},
+                 {"M_start = \"30 N*m\"", ""},
+                 {"T = \"30 J\"", ""},
+                 {"T = \"0 N*m\"", ""},
+                 {"F_t = \"3 kN\"", "m_n"},
+                 {"F_r = \"3 kN\"", ""},
+                 {"F_t = \"3 mm\"", ""}});
+    asked(pair + "\n" + example_of("chain.roller"), {{"T = \"30 N*m\"", ""}});
+  }
+
+  TEST_CASE("a power next to a torque") {  // 10 kW at 1000 rpm: 95.5 N*m
+    const auto bar = [](const std::string& name, const std::string& T) {
+      return "[" + name + "]\ncalculator = \"shaft.torsion\"\nT = \"" + T +
+             "\"\nd = \"60 mm\"\ntau_adm = \"40 MPa\"\n\n";
+    };
+    const auto asked = [](const std::string& steps, std::initializer_list<ValuesRow> rows) {
+      check_values(&project::powers_of_torques, steps, rows);
+    };
+    const std::string power = "P = \"10 kW\"\n";
+    asked(bar("s", "50 N*m"), {{power + "n = \"1000 rpm\"", "T"},
+                               {power + "n_1 = \"1000 rpm\"", "T"},
+                               {power + "n = \"2000 rpm\"", ""},
+                               {power + "n = \"16 Hz\"", ""},
+                               {"P = \"-10 kW\"\nn = \"1000 rpm\"", "T"},
+                               {"P_loss = \"10 kW\"\nn = \"1000 rpm\"", ""},
+                               {power, "T"},
+                               {"T_max = \"90 N*m\"", ""}});
+    asked(bar("s", "94 N*m"), {{power + "n = \"1000 rpm\"", ""}});
+    asked(bar("s", "2 N*m"), {{power + "n = \"1000 rpm\"", "T"}});
+    asked(bar("s", "1.9 N*m"), {{power + "n = \"1000 rpm\"", ""}});
+    asked(bar("s", "50 N*m") + bar("o", "94 N*m"), {{power + "n = \"1000 rpm\"", ""}});
+    asked(bar("s", "50 N*m") + bar("o", "90 N*m"), {{power + "n = \"1000 rpm\"", "T"}});
+    asked(bar("s", "=o.T") + bar("o", "50 N*m"), {{power + "n = \"1000 rpm\"", ""}});
+    asked(with_lines(bar("s", "50 N*m"), "d = \"=o.d\"") + bar("o", "50 N*m"), {{power + "n = \"1000 rpm\"", "T"}});
+    asked(bar("s", "50 N*m") + example_of("chain.roller"), {{power + "n = \"1000 rpm\"", ""}});
+  }
+
+  TEST_CASE("a load divided by the application factor") {
+    const auto asked = [](const std::string& P, const std::string& K_A, std::initializer_list<ValuesRow> rows) {
+      check_values(&project::factors_cancelled, example_of("chain.roller", "P = \"=" + P + "\"\nK_A = " + K_A), rows);
+    };
+    asked("values.P/1.3", "1.3", {{"P = \"3 kW\"", "P"}});
+    asked("values.P/1.2", "1.3", {{"P = \"3 kW\"", ""}, {"P = \"3 kW\"\nK_A = 1.2", "P"}});
+    asked("values.P/1", "1", {{"P = \"3 kW\"", ""}});
+    asked("values.P", "1.3", {{"P = \"3 kW\"", ""}});
+    asked("values.P/values.K_A", "\"=values.K_A\"", {{"P = \"3 kW\"\nK_A = 1.3", "P"}});
+    for (const std::string name : {"P_design", "P_max", "P_eq", "P_K_A"})
+      asked("values." + name + "/1.3", "1.3", {{name + " = \"3 kW\"", ""}});
+    asked("values.P_0/1.3", "1.3", {{"P_0 = \"3 kW\"", "P"}});
   }
 }

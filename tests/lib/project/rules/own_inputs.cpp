@@ -1,6 +1,7 @@
 // Each condition of the rules for [values] under the names of inputs that have another value.
 #include "lib/project/references/stated/own_inputs.hpp"
 
+#include "lib/project/references/stated/rows.hpp"
 #include "tests/lib/project/rules/rows.hpp"
 
 #include <string>
@@ -145,5 +146,33 @@ TEST_SUITE("project: inputs stated otherwise") {
     check(example_of("bearing.rolling"), {{"n = \"5000 rpm\"", ""}});
     check(example_of("gear.worm"), {{"dT_adm = \"40 K\"", "dT_adm"}, {"dT_adm = \"80 K\"", ""}});
     check(example_of("vessel.cylinder"), {{"R = 3", ""}});
+  }
+}
+
+TEST_SUITE("project: rows stated otherwise") {
+  TEST_CASE("a force of a component next to the resultant of its components") {  // 600, 1429, 300 N: 1579 N
+    check_values(&project::rows_stated_otherwise, example_of("shaft.design"),
+                 {{"F_gear = \"1700 N\"", "seats.gear.F_z"},
+                  {"F_gear = \"-1700 N\"", "seats.gear.F_z"},
+                  {"F_gear = \"1600 N\"", ""},
+                  {"F_gear = \"1000 N\"", ""},
+                  {"F_gear = \"1700 N*m\"", ""},
+                  {"F_pulley = \"1700 N\"", ""},
+                  {"F_coupling = \"1700 N\"", ""}});
+  }
+
+  TEST_CASE("masses and inertias of a component") {
+    check_values(&project::rows_stated_otherwise, example_of("shaft.design"),
+                 {{"m_gear = \"2 kg\"", "seats.gear.mass"},
+                  {"m_gear = \"1 kg\"", ""},
+                  {"m_gear = \"0.5 kg\"", ""},
+                  {"mass_gear = \"2 kg\"", ""},
+                  {"J_gear = \"0.002 kg*m^2\"", "seats.gear.J"},
+                  {"J_gear = \"0.0005 kg*m^2\"", ""},
+                  {"b_gear = \"40 mm\"", "seats.gear.b"},
+                  {"b_gear = \"20 mm\"", "seats.gear.b"},
+                  {"b_gear = \"30 mm\"", ""},
+                  {"T_gear = \"60 N*m\"", "seats.gear.T"},
+                  {"T_gear = \"40 N*m\"", ""}});
   }
 }

@@ -1,6 +1,10 @@
 // Each condition of the rules for loads, strengths and factors that are a part of a value of [values].
 #include "lib/project/references/drives/own_names.hpp"
 
+#include "lib/project/references/agreement/drive_lines.hpp"
+#include "lib/project/references/drives/stages.hpp"
+#include "lib/project/references/machine/other_steps.hpp"
+#include "lib/project/references/machine/repetitions.hpp"
 #include "tests/lib/project/rules/rows.hpp"
 
 #include <string>
@@ -61,6 +65,9 @@ TEST_SUITE("project: values in part") {
     CHECK(found(power + shaft("=values.P/values.n")).empty());
     CHECK(found(power + shaft("=0.9*values.P/values.n")).empty());
     CHECK(found(power + shaft("=0.2*values.F*values.l")).empty());  // the moment of a beam
+    const std::string lift = "[values]\nP = \"20 kW\"\nv = \"2 m/s\"\n\n";
+    CHECK(found(lift + lug("=values.P/values.v/2")).empty());  // of two lugs
+    CHECK(found(lift + lug("=values.P/values.v/4")) == "F");
     const std::string named = "[values]\nP = \"20 kW\"\nn = \"1000 rpm\"\nT = \"=0.5*values.P/values.n\"\n\n";
     CHECK(found(named + shaft("=values.T")).empty());
     const std::string rest = "\n" + shaft("=values.P/values.n/2").replace(1, 1, "r");
@@ -135,5 +142,177 @@ TEST_SUITE("project: values in part") {
     CHECK(bearing("=0.9*values.n").empty());
     CHECK(bearing("=values.n/values.i").empty());
     CHECK(bearing("=2*values.n").empty());
+    CHECK(
+        found("[values]\nn = \"1000 rpm\"\nslow = \"=values.n/60\"\n\n[b]\ncalculator = \"bearing.rolling\"\nbearing = "
+              "\"6309\"\nF_r = \"6 kN\"\nn = \"=values.slow\"\nL_h = \"3000 h\"\n")
+            .empty());
+  }
+}
+
+TEST_SUITE("project: ratios of stages") {
+  TEST_CASE("a drive has the ratio of the stage whose load it takes") {
+    const auto asked = [](const std::string& stage, const std::string& lines, const std::string& shaft = "1") {
+      const std::string at = "\"=x.shafts[" + shaft + "].";
+      const std::string step = with_lines(
+          "calculator = \"belt.synchronous\"\nsynchronous_belt = \"H\"\nK_A = 1.5\nz_1 = "
+          "20\nz_2 = 40\na = \"500 mm\"\nb = \"50.8 mm\"\nP = " +
+              at + "P\"\nn_1 = " + at + "n\"\n",
+          lines);
+      return inputs_found(&project::ratios_of_stages,
+                          "[x]\ncalculator = \"drive.train\"\nP = \"0.6 kW\"\nn_1 = \"1400 rpm\"\nstages = [{ " +
+                              stage + ", eta = 0.98 }]\n\n[s]\n" + step,
+                          "s");
+    };
+    CHECK(asked("kind = \"belt\", i = 2", "").empty());
+    CHECK(asked("kind = \"belt\", i = 2.03", "").empty());
+    CHECK(asked("kind = \"belt\", i = 2.1", "") == "z_2");
+    CHECK(asked("kind = \"belt\", i = 1.9", "") == "z_2");
+    CHECK(asked("kind = \"other\", i = 3", "").empty());
+    CHECK(asked("kind = \"belt\", i = 3", "n_1 = \"1395 rpm\"") == "z_2");
+    CHECK(asked("kind = \"belt\", i = 3", "n_1 = \"1000 rpm\"").empty());
+    CHECK(asked("kind = \"belt\", i = 3", "P = \"0.6 kW\"").empty());
+    CHECK(asked("kind = \"belt\", i = 3", "", "2").empty());  // behind the last stage
+  }
+
+  TEST_CASE("pulleys have the ratio of the stage but for slip") {
+    const auto asked = [](const std::string& i, const std::string& lines = "") {
+      const std::string belt =
+          example_of("belt.flat",
+                     "P = \"=x.shafts[1].P\"\nn_1 = \"=x.shafts[1].n\"\nd_1 = \"200 mm\"\nd_2 = \"500 mm\"\n" + lines);
+      return inputs_found(&project::ratios_of_stages, belt +
+                                                          "\n[x]\ncalculator = \"drive.train\"\nP = \"15 kW\"\nn_1 = "
+                                                          "\"1450 rpm\"\nstages = [{ kind = \"belt\", i = " +
+                                                          i + ", eta = 0.98 }]\n");
+    };
+    CHECK(asked("2.5").empty());
+    CHECK(asked("2.4").empty());
+    CHECK(asked("2.6").empty());
+    CHECK(asked("2.2") == "d_2");
+    CHECK(asked("2.8") == "d_2");
+    CHECK(asked("2.8", "d_2 =\nn_2 = \"580 rpm\"").empty());
+  }
+}
+
+TEST_SUITE("project: runs of a drive") {
+  // 5.5 kW at 1450 rpm: 36.2 N*m; 140.5 N*m at 362.5 rpm behind the gears.
+  const std::string conveyor =
+      "[conveyor]\ncalculator = \"drive.train\"\nP = \"5.5 kW\"\nn_1 = \"1450 rpm\"\nstages = [{ name = \"gears\", "
+      "kind = \"gear\", z_1 = 20, z_2 = 80, eta = 0.97 }]\n\n";
+
+  std::string run_up(const std::string& M, const std::string& n_2, const std::string& lines = "") {
+    return "[up]\n" +
+           with_lines(
+               "calculator = \"machine.run_up\"\nparts = [{ name = \"rotor\", J = \"0.02 kg*m^2\" }]\nmotor = [[\"0 "
+               "rpm\", \"" +
+                   M + "\"], [\"2000 rpm\", \"" + M + "\"]]\nn_2 = \"" + n_2 + "\"\n",
+               lines) +
+           "\n";
+  }
+
+  std::string asked_of_run(const std::string& text) { return inputs_found(&project::torques_of_line, text, "up"); }
+
+  TEST_CASE("a motor reaches the torque of the shaft with the speed of the run") {
+    const auto asked = [](const std::string& M, const std::string& n_2, const std::string& more = "") {
+      return asked_of_run(conveyor + run_up(M, n_2) + more);
+    };
+    CHECK(asked("25 N*m", "1450 rpm") == "motor");
+    CHECK(asked("32 N*m", "1450 rpm").empty());
+    CHECK(asked("25 N*m", "1440 rpm") == "motor");
+    CHECK(asked("25 N*m", "1380 rpm").empty());  // of another shaft, unless the run refers to the train
+    CHECK(asked("100 N*m", "362.5 rpm").empty());
+    CHECK(asked("100 N*m", "=abs(conveyor.shafts[2].n)") == "motor");
+    CHECK(asked("125 N*m", "=abs(conveyor.shafts[2].n)").empty());
+    CHECK(asked("25 N*m", "=0.95*conveyor.shafts[1].n") == "motor");
+    CHECK(asked("25 N*m", "=0.8*conveyor.shafts[1].n").empty());
+    const std::string second = "[other" + conveyor.substr(9);
+    CHECK(asked("25 N*m", "1450 rpm", second).empty());                                        // either of them
+    CHECK(asked_of_run(conveyor + run_up("-25 N*m", "0 rpm", "n_1 = \"1450 rpm\"")).empty());  // a stop
+    CHECK(asked_of_run(run_up("25 N*m", "1450 rpm")).empty());
+  }
+
+  TEST_CASE("a start goes through the parts with the torque of the shaft") {
+    const std::string shaft =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"=conveyor.T_1\"\nd = \"30 mm\"\ntau_adm = \"40 MPa\"\n\n";
+    const auto key = [](const std::string& T, const std::string& lines) {
+      return with_lines(example_of("shaft.key"), "T = \"" + T + "\"\n" + lines) + "\n";
+    };
+    const auto asked = [&](const std::string& M, const std::string& parts) {
+      return asked_of_run(conveyor + parts + run_up(M, "1450 rpm"));
+    };
+    CHECK(asked("50 N*m", key("=conveyor.T_1", "K_A = 1.25")) == "motor");
+    CHECK(asked("50 N*m", key("=conveyor.shafts[1].T", "K_A = 1.25")) == "motor");
+    CHECK(asked("44 N*m", key("=conveyor.T_1", "K_A = 1.25")).empty());
+    CHECK(asked("50 N*m", key("=conveyor.T_1", "K_A = 1.25\nT_max = \"60 N*m\"")).empty());
+    CHECK(asked("50 N*m", key("=conveyor.shafts[2].T", "K_A = 1.25")).empty());
+    CHECK(asked("50 N*m", shaft) == "motor");
+    CHECK(asked("35 N*m", shaft).empty());
+    const std::string next =
+        "[next]\ncalculator = \"drive.train\"\nT_1 = \"=conveyor.T_1\"\nn_1 = \"100 rpm\"\nstages = [{ kind = "
+        "\"gear\", z_1 = 20, z_2 = 80, eta = 0.97 }]\n\n";
+    CHECK(asked_of_run(conveyor + next + run_up("50 N*m", "=conveyor.n_1")).empty());  // no application factor
+    CHECK(asked("35 N*m", key("=conveyor.T_1", "K_A = 1")).empty());
+  }
+
+  TEST_CASE("a motor reaches the mean moment of a flywheel that it drives") {
+    const auto wheel = [](const std::string& name, const std::string& omega, const std::string& role = "load") {
+      return "[" + name +
+             "]\ncalculator = \"machine.flywheel\"\nM_of_phi = \"200 N*m + 350 N*m*sin(2*phi)\"\nrole = \"" + role +
+             "\"\nomega = \"" + omega + "\"\ndelta = 0.05\n\n";
+    };
+    const auto part = [](const std::string& J, const std::string& u) {
+      return "parts = [{ name = \"w\", J = \"" + J + "\", u = " + u + " }]";
+    };
+    const auto asked = [&](const std::string& wheels, const std::string& M, const std::string& J,
+                           const std::string& u = "1") {
+      return asked_of_run(wheels + run_up(M, "300 rpm", part(J, u)));
+    };
+    const std::string same = wheel("fly", "300 rpm"), slow = wheel("fly", "60 rpm");
+    CHECK(asked(same, "150 N*m", "=fly.J_F") == "motor");
+    CHECK(asked(same, "175 N*m", "=fly.J_F").empty());
+    CHECK(asked(same, "150 N*m", "1 kg*m^2") == "motor");
+    CHECK(asked(wheel("fly", "320 rpm"), "150 N*m", "1 kg*m^2") == "motor");
+    CHECK(asked(wheel("fly", "300 rpm", "drive"), "150 N*m", "=fly.J_F").empty());
+    CHECK(asked(slow, "30 N*m", "=fly.J_F", "0.2") == "motor");  // 40 N*m at the motor
+    CHECK(asked(slow, "36 N*m", "=fly.J_F", "0.2").empty());
+    CHECK(asked(slow, "30 N*m", "1 kg*m^2", "0.2").empty());
+    CHECK(asked(slow, "30 N*m", "=1*fly.J_F", "0.2").empty());
+    CHECK(asked(slow + wheel("other", "60 rpm"), "30 N*m", "=other.J_F", "0.2") == "motor");
+  }
+
+  TEST_CASE("a flywheel next to the speed of its motor without load") {  // 125 rpm
+    const auto wheel = [](const std::string& name, const std::string& omega) {
+      return "[" + name +
+             "]\ncalculator = \"machine.flywheel\"\nM_of_phi = \"200 N*m + 350 N*m*sin(2*phi)\"\nrole = "
+             "\"load\"\nomega = \"" +
+             omega + "\"\ndelta = 0.05\n\n";
+    };
+    const auto asked = [](const std::string& wheels, const std::string& lines) {
+      return inputs_found(&project::values_of_runs, example_of("machine.motion", lines) + "\n" + wheels);
+    };
+    CHECK(asked(wheel("fly", "100 rpm"), "J_F = \"=fly.J_F\"") == "J_F");
+    CHECK(asked(wheel("fly", "110 rpm"), "J_F = \"=fly.J_F\"").empty());
+    CHECK(asked(wheel("fly", "150 rpm"), "J_F = \"=fly.J_F\"").empty());
+    CHECK(asked(wheel("fly", "100 rpm"), "J_F = \"20 kg*m^2\"").empty());
+    CHECK(asked(wheel("fly", "120 rpm") + wheel("slow", "60 rpm"), "J_F = \"=fly.J_F\"\nJ_M = \"=slow.J_F\"").empty());
+    CHECK(asked(wheel("fly", "100 rpm") + "[values]\nJ = \"20 kg*m^2\"\n", "J_F = \"=values.J\"").empty());
+  }
+}
+
+TEST_SUITE("project: repetitions") {
+  TEST_CASE("blocks that are slower than the shaft of a bearing") {  // 1450 rpm
+    const auto asked = [](const std::string& lines) {
+      return inputs_found(
+          &project::repetitions_of_others,
+          example_of("shaft.design") + "\n[b]\n" +
+              with_lines("calculator = \"bearing.rolling\"\nbearing = \"6306\"\nload = \"=shaft.bearings.left\"\n",
+                         lines),
+          "b");
+    };
+    CHECK(asked("blocks = [{ q = 0.2, k = 1, n = \"1000 rpm\" }, { q = 0.8, k = 0.5, n = \"600 rpm\" }]") == "blocks");
+    CHECK(asked("blocks = [{ q = 0.2, k = 1, n = \"1450 rpm\" }, { q = 0.8, k = 0.5, n = \"600 rpm\" }]").empty());
+    CHECK(asked("blocks = [{ q = 0.2, k = 1, n = \"600 rpm\" }, { q = 0.8, k = 0.5, n = \"1450 rpm\" }]").empty());
+    CHECK(asked("blocks = [{ q = 0.2, k = 1 }, { q = 0.8, k = 0.5, n = \"600 rpm\" }]").empty());
+    CHECK(asked("blocks = [{ q = 0.2, k = 1, n = \"2000 rpm\" }, { q = 0.8, k = 0.5, n = \"600 rpm\" }]").empty());
+    CHECK(asked("").empty());
   }
 }

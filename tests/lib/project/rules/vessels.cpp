@@ -1,6 +1,7 @@
 // Each condition of the rules for walls of one vessel.
 #include "lib/project/references/machine/vessels.hpp"
 
+#include "lib/project/references/agreement/ends.hpp"
 #include "tests/lib/project/rules/rows.hpp"
 
 #include <string>
@@ -63,6 +64,20 @@ TEST_SUITE("project: walls of one vessel") {
     CHECK(found(shell() + end(taken), "end").empty());
     CHECK(found(shell() + end(taken + "\np_t = \"1.2 MPa\"\nh_t = \"0 m\""), "end").empty());
     CHECK(found(tested + end("p = \"1 MPa\"\nD_i = \"1200 mm\"\nc = \"1 mm\""), "end") == "p");
+  }
+
+  TEST_CASE("an end is tested under the water of its shell") {  // 2 m of water are 0.02 MPa
+    const std::string tested = shell("p_t = \"1.43 MPa\"\nh_t = \"2 m\"\nsigma_adm =\nmaterial = \"P265GH\"\nS = 1.5");
+    const auto asked = [&](const std::string& p_t, const std::string& h_t) {
+      return inputs_found(&project::ends_of_vessel,
+                          tested + end("shell = \"=shell.shell\"\np_t = \"" + p_t + "\"\nh_t = \"" + h_t + "\""),
+                          "end");
+    };
+    CHECK(asked("1.43 MPa", "0.5 m") == "h_t");
+    CHECK(asked("1.43 MPa", "2 m").empty());
+    CHECK(asked("1.43 MPa", "3 m").empty());
+    CHECK(asked("1.46 MPa", "0 m").empty());
+    CHECK(asked("1.2 MPa", "0.5 m").empty());  // p_t is too low
   }
 
   TEST_CASE("an end of a shell that is assessed under external pressure") {

@@ -1,7 +1,9 @@
 // Each condition of the rules for loads and factors of [values] that no step takes.
 #include "lib/project/references/machine/left_out.hpp"
 
+#include "lib/project/references/agreement/torques.hpp"
 #include "lib/project/references/drives/stated_loads.hpp"
+#include "lib/project/references/machine/repetitions.hpp"
 #include "tests/lib/project/rules/rows.hpp"
 
 #include <string>
@@ -241,5 +243,46 @@ TEST_SUITE("project: loads of drives") {
     for (const std::string name : {"P_design", "P_max", "P_eq", "P_K_A"})
       asked("values." + name + "/1.3", "1.3", {{name + " = \"3 kW\"", ""}});
     asked("values.P_0/1.3", "1.3", {{"P_0 = \"3 kW\"", "P"}});
+  }
+
+  TEST_CASE("a connection without the application factor of another step with its torque") {
+    const auto key = [](const std::string& lines) {
+      return example_of("shaft.key", "T = \"200 N*m\"\nK_A =\nT_max =\n" + lines);
+    };
+    const auto bar = [](const std::string& T, const std::string& K_A) {
+      return "\n[o]\ncalculator = \"shaft.torsion\"\nT = \"" + T +
+             "\"\nd = \"60 mm\"\ntau_adm = \"40 MPa\"\nK_A = " + K_A + "\n";
+    };
+    const auto asked = [](const std::string& text) { return inputs_found(&project::factors_of_torque, text); };
+    CHECK(asked(key("") + bar("200 N*m", "1.25")) == "K_A");
+    CHECK(asked(key("") + bar("200.1 N*m", "1.25")) == "K_A");
+    CHECK(asked(key("") + bar("201 N*m", "1.25")).empty());
+    CHECK(asked(key("") + bar("200 N*m", "1")).empty());
+    CHECK(asked(key("K_A = 1") + bar("200 N*m", "1.25")).empty());
+    CHECK(asked(key("T_max = \"250 N*m\"") + bar("200 N*m", "1.25")).empty());
+    CHECK(asked(key("T = \"=o.T\"") + bar("200 N*m", "1")).empty());
+    CHECK(asked(key("") + "\n" + example_of("gear.pair", "P =\nT_1 = \"200 N*m\"\nK_A = 1.25")) == "K_A");
+    CHECK(asked(key("") + "\n" + example_of("chain.roller", "P =\nP_R =\nT_1 = \"200 N*m\"\nK_A = 1.25")).empty());
+    CHECK(asked(with_lines(bar("200 N*m", "1"), "K_A =") + bar("200 N*m", "1.25").replace(2, 1, "r")).empty());
+  }
+
+  TEST_CASE("a history that another step counts more often") {
+    const auto bar = [](const std::string& name, const std::string& n_req, const std::string& A = "100 mm^2") {
+      return "[" + name + "]\n" +
+             with_lines(
+                 "calculator = \"fatigue.history\"\nsigma_D = \"120 MPa\"\nN_D = 1e6\nk = 5\nmean = \"goodman\"\nR_m "
+                 "= \"690 MPa\"\nR_e = \"490 MPa\"\nS_F = 1.5\nsigma = \"=press.links.rod.N/(" +
+                     A + ")\"\n",
+                 "n_req = " + n_req) +
+             "\n";
+    };
+    const auto asked = [](const std::string& text) {
+      return inputs_found(&project::repetitions_of_others, text + press_of_heavy_rod, "a");
+    };
+    CHECK(asked(bar("a", "1e6") + bar("b", "2e6")) == "n_req");
+    CHECK(asked(bar("a", "1e6") + bar("b", "1e6")).empty());
+    CHECK(asked(bar("a", "2e6") + bar("b", "1e6")).empty());
+    CHECK(asked(bar("a", "500")) == "n_req");
+    CHECK(asked(bar("a", "1500")).empty());
   }
 }

@@ -349,7 +349,6 @@ std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project
     const Value* const value = project.value(path);
     if (value == nullptr || !(value->signature.dimension == operand.leaf.field->dimension)) continue;
     const double stated = std::abs(magnitude_at(project, path)), taken = std::abs(own_value(step, project, key));
-    if (!(stated > 0.0)) continue;
     const bool is_less_safe = safer > 0 ? taken < (1.0 - few_digits) * stated : taken > (1.0 + few_digits) * stated;
     if (!is_less_safe) continue;
     found.push_back({key, say("{1} is {2} times '{3}': write {1} = \"={3}\", refer to a value that explains it, or "

@@ -204,7 +204,6 @@ class RunCheck {
     constexpr double most_above = 1.15;  // slip, and the fluctuation within a cycle
     if (step_.input().reading.operand("J_F") == nullptr) return;
     const double n = std::abs(own_value(step_, project_, "n_0") / own_value(step_, project_, "i"));
-    if (!(n > 0.0)) return;
     for (const Operand& operand : step_.input().reading.operands) {
       if (operand.path != "J_F") continue;
       for (const auto& reference : operand.expression.references()) {

@@ -97,7 +97,7 @@ figure::Plot forces_over_mass(const Input& in, const Result& r) {
     figure::Curve& curve = plot.curves.emplace_back();
     curve.label = f.family.view();
     for (const TableSection& section : sections_by_mass()) {
-      if (family_of(section.name()) != f.family.view() || !belongs(section, in)) continue;
+      if (!begins_with(section.name(), f.family.view()) || !belongs(section, in)) continue;
       if (section.m > reach * r.q) break;
       curve.x.push_back(in_si(section.m));
       curve.y.push_back(in_si(Buckling::evaluate(bar_of(member, section), quiet).P_all));

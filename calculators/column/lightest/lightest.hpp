@@ -48,7 +48,7 @@ gamma_F = 1
 )";
 
   static constexpr auto inputs = join(
-      Fields{ListField{&Input::families, "families", "section families to select from"}.as_arrays()},
+      Fields{ListField{&Input::families, "families", "section families to select from: IPE, or W14"}.as_arrays()},
       held_inputs<Input>(),
       Fields{
           Choice{&Input::kind, "kind", "section type where the table does not give it (round tubes)"}.may_be_missing(),
@@ -97,7 +97,8 @@ gamma_F = 1
 
   static constexpr auto rules = join(
       std::array{
-          Rule<Input>{&families_known, "families", "unknown family: not in the section tables", &unknown_family},
+          Rule<Input>{&families_known, "families", "unknown family: no section of the tables begins with it",
+                      &unknown_family},
           Rule<Input>{&families_once, "families", "each family may be named once", &family_twice},
           Rule<Input>{&room_for_one, "h_max, b_max, families", "no section of these families fits h_max and b_max",
                       &no_room},

@@ -38,9 +38,9 @@ Failure reason_without_force(const Buckling::Input& bar, const MemberResult& r) 
 }  // namespace
 
 bool belongs(const TableSection& section, const LightestTypes::Input& in) {
-  const std::string_view own = family_of(section.name());
-  const bool wanted = std::any_of(in.families.begin(), in.families.end(),
-                                  [&](const LightestTypes::Family& f) { return f.family.view() == own; });
+  const bool wanted = std::any_of(in.families.begin(), in.families.end(), [&](const LightestTypes::Family& f) {
+    return begins_with(section.name(), f.family.view());
+  });
   return wanted && !(section.h > in.h_max) && !(section.b > in.b_max);
 }
 

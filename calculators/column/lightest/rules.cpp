@@ -20,25 +20,31 @@ std::string names_of(const Lightest::Families& families) {
   return names;
 }
 
-/// The first family that the tables do not have; null where all are known.
+/// The first family that no row of the tables begins with; null where all are known.
 const Lightest::Family* stranger(const Input& in) {
   const auto unknown = [](const Lightest::Family& f) {
     const auto& all = sections_by_mass();
     return std::none_of(all.begin(), all.end(),
-                        [&](const TableSection& s) { return family_of(s.name()) == f.family.view(); });
+                        [&](const TableSection& s) { return begins_with(s.name(), f.family.view()); });
   };
   const auto found = std::find_if(in.families.begin(), in.families.end(), unknown);
   return found == in.families.end() ? nullptr : &*found;
 }
 
-/// The first repeated family in the list; the end if each is named once.
+/// Another family of the list that contains this one; null if there is none. Of two equal ones the first.
+const Lightest::Family* container_of(const Lightest::Family& f, const Input& in) {
+  const auto contains = [&](const Lightest::Family& other) {
+    return &other != &f && begins_with(f.family.view(), other.family.view()) &&
+           (&other < &f || !(other.family == f.family));
+  };
+  const auto found = std::find_if(in.families.begin(), in.families.end(), contains);
+  return found == in.families.end() ? nullptr : &*found;
+}
+
+/// The first family in the list that another one contains; the end if each is named once.
 auto repeated(const Input& in) {
-  const auto& all = in.families;
-  return std::find_if(all.begin(), all.end(), [&](const Lightest::Family& f) {
-    const auto first =
-        std::find_if(all.begin(), all.end(), [&](const auto& other) { return other.family == f.family; });
-    return &*first != &f;
-  });
+  return std::find_if(in.families.begin(), in.families.end(),
+                      [&](const Lightest::Family& f) { return container_of(f, in) != nullptr; });
 }
 
 /// Whether one of the sections to choose from is such a row.
@@ -88,7 +94,8 @@ bool Lightest::families_known(const Input& in) { return stranger(in) == nullptr;
 
 FieldFault Lightest::unknown_family(const Input& in) {
   const Family* const unknown = stranger(in);
-  const auto known = families();
+  const auto sizes = first_sizes(family_of(unknown->family.view()));
+  const auto known = sizes.empty() ? families() : sizes;
   return {"families[" + std::to_string(unknown - &in.families[0] + 1) + "].family",
           say("unknown family '{1}' in the section tables", unknown->family.view()),
           did_you_mean(unknown->family.view(), known, there_is(known))};
@@ -98,8 +105,12 @@ bool Lightest::families_once(const Input& in) { return repeated(in) == in.famili
 
 FieldFault Lightest::family_twice(const Input& in) {
   const auto again = repeated(in);
+  const Name& container = container_of(*again, in)->family;
   return {"families[" + std::to_string(again - in.families.begin() + 1) + "].family",
-          say("the family '{1}' is named twice", again->family.view()), say("leave it out here")};
+          container == again->family
+              ? say("the family '{1}' is named twice", again->family.view())
+              : say("the sections '{1}' are part of the family '{2}'", again->family.view(), container.view()),
+          say("leave it out here")};
 }
 
 bool Lightest::room_for_one(const Input& in) {

@@ -16,7 +16,7 @@ struct LightestTypes {
   struct Family {
     Name family;
     static constexpr Fields fields{
-        NameField{&Family::family, "family", "family prefix of the section names: IPE, HEA, RHS"}};
+        NameField{&Family::family, "family", "family, or beginning of the section names: IPE, HEA, RHS, W14, HSS8X8"}};
   };
   using Families = List<Family, 12>;
 

@@ -457,6 +457,8 @@ const Case fatigue[] = {
     {"fatigue.multiaxial", "sigma_x = { values = [240, -240], unit = \"MPa\" }\ntau_xy = ", "n_F", 1.0},
     {"fatigue.multiaxial", "sigma_x = \ntau_xy = { values = [150, -150], unit = \"MPa\" }", "n_DV", 1.0},
     {"fatigue.multiaxial", "tau_D = \"138.5640646055102 MPa\"\ntau_xy = ", "n_C", 240 / 86.6},
+    {"fatigue.multiaxial", "tau_D = \"210 MPa\"\nsigma_x = \ntau_xy = { values = [210, -210], unit = \"MPa\" }", "n_F",
+     1.0},
     {"fatigue.wohler", "P_s = 0.5", "A_P", 29.9426882630},  // the mean line, by the normal equations
 };
 

@@ -77,8 +77,14 @@ void matake(const Input& in, const StressPath& path, Result& r, Tracer& trace) {
   r.e_p = trace.value("e_p", std::max(r.e_p, worst.apart), "the larger one of the two criteria of planes");
 }
 
+/// Crossland and Dang Van are criteria of hard metals; towards brittle ones the planes of Findley and Matake remain,
+/// which end at the criterion of the largest normal stress.
+bool is_hard_at_most(const Input& in) { return in.tau_D <= (Multiaxial::most_of_hard + 1e-9) * in.sigma_D; }
+
 /// Below the ratio of von Mises the weight of the hydrostatic stress would be negative: tension would help.
-bool crossland_holds(const Input& in) { return std::sqrt(3.0) * in.tau_D >= (1.0 - 1e-9) * in.sigma_D; }
+bool crossland_holds(const Input& in) {
+  return std::sqrt(3.0) * in.tau_D >= (1.0 - 1e-9) * in.sigma_D && is_hard_at_most(in);
+}
 
 template <class Tracer>
 void crossland(const Input& in, const StressPath& path, const DeviatorBall& ball, Result& r, Tracer& trace) {
@@ -96,6 +102,7 @@ void crossland(const Input& in, const StressPath& path, const DeviatorBall& ball
 
 template <class Tracer>
 void dang_van(const Input& in, const StressPath& path, const DeviatorBall& ball, Result& r, Tracer& trace) {
+  if (!is_hard_at_most(in)) return;
   STEP_TO(r, a, 3.0 * in.tau_D / in.sigma_D - 1.5, "both fatigue limits lie on the criterion, [DangVan]");
   const Stress tau_DV1 = trace.value("tau_DV1", pascals(largest_mesoscopic(path, ball, a)),
                                      "maximum along the path: shear stress from the centre of the ball + a sigma_H");
@@ -116,14 +123,18 @@ template <class Tracer>
 void decide(const Input& in, Result& r, Tracer& trace) {
   if (in.criterion == Criterion::crossland) {
     STEP_TO(r, x_C, sqrt(3.0) * in.tau_D / in.sigma_D, "below 1 its weight would be negative");
-    if (!is_set(r.n_C)) return;
+  }
+  if (in.criterion == Criterion::crossland || in.criterion == Criterion::dang_van) {
+    STEP_TO(r, x_H, in.tau_D / in.sigma_D, "above 0.8 the metal is brittle: Findley or Matake");
+    if (!is_set(in.criterion == Criterion::crossland ? r.n_C : r.n_DV)) return;
   }
   r.n = in.criterion == Criterion::findley     ? NAMED_STEP("n", r.n_F, "Findley decides")
         : in.criterion == Criterion::matake    ? NAMED_STEP("n", r.n_M, "Matake decides")
         : in.criterion == Criterion::crossland ? NAMED_STEP("n", r.n_C, "Crossland decides")
         : in.criterion == Criterion::dang_van  ? NAMED_STEP("n", r.n_DV, "Dang Van decides")
-        : is_set(r.n_C) ? NAMED_STEP("n", min(min(r.n_F, r.n_M), min(r.n_C, r.n_DV)), "minimum of all four")
-                        : NAMED_STEP("n", min(min(r.n_F, r.n_M), r.n_DV), "minimum of the valid criteria");
+        : is_set(r.n_C)  ? NAMED_STEP("n", min(min(r.n_F, r.n_M), min(r.n_C, r.n_DV)), "minimum of all four")
+        : is_set(r.n_DV) ? NAMED_STEP("n", min(min(r.n_F, r.n_M), r.n_DV), "minimum of the valid criteria")
+                         : NAMED_STEP("n", min(r.n_F, r.n_M), "minimum of both criteria of planes");
   STEP_TO(r, u_D, in.S_D / r.n, "required / actual safety factor");
 }
 
@@ -174,9 +185,9 @@ Multiaxial::Result Multiaxial::evaluate(const Input& in, Tracer& trace) {
   const StressPath path = path_of(in);
   r.samples = static_cast<double>(path.size());
   yield(in, path, r, trace);
-  STEP_TO(r, x_D, in.tau_D / in.sigma_D, "0.5 by Tresca, 0.577 by von Mises, 0.8 towards brittle metals");
+  STEP_TO(r, x_D, in.tau_D / in.sigma_D, "0.5 by Tresca, 0.577 by von Mises, above 0.8 of brittle metals");
   compare_cycles(in, r, trace);
-  if (x_D < 0.5 - 1e-9 || x_D > 0.8 + 1e-9) return r;
+  if (x_D < 0.5 - 1e-9) return r;
   const DeviatorBall ball = deviator_ball(path);
   findley(in, path, r, trace);
   matake(in, path, r, trace);

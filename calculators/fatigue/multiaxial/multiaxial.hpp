@@ -6,7 +6,9 @@
 // path, that of the deviator the radius of the smallest ball. Yielding by von Mises at every moment. Compression is no
 // help: largest normal and hydrostatic stresses count from 0. Stresses are those of the point, as sigma_D and tau_D
 // are, tension positive; the samples of the three are taken at the same moments, straight between them, and come again.
-// Not covered: finite life, stresses across the surface, brittle and mild metals beyond 0.5 to 0.8 for tau_D/sigma_D.
+// Crossland and Dang Van hold up to tau_D/sigma_D = 0.8, the limit of hard metals in the usual classification
+// (recalled); Findley and Matake answer from 0.5 to 1. Not covered: finite life, stresses across the surface, mild
+// metals below 0.5.
 #pragma once
 
 #include "calculators/load/heat_treatment.hpp"
@@ -31,8 +33,8 @@ struct Multiaxial {
   static constexpr auto scope =
       "Infinite-life safety factor at a surface point in plane stress with independently varying sigma_x, "
       "sigma_y and tau_xy by Findley, Matake, Crossland and Dang Van, with von Mises in phase for comparison, "
-      "the critical plane and yielding; finite life, brittle metals and stresses normal to the surface are not "
-      "covered.";
+      "the critical plane and yielding; brittle metals by Findley and Matake only; finite life and stresses normal to "
+      "the surface are not covered.";
   static constexpr auto source = "[Findley], [Matake], [Crossland], [DangVan], [Mises]";
   static constexpr auto headline = "n = {n}";
   static constexpr auto subject = "fatigue";
@@ -53,6 +55,8 @@ R_e = "490 MPa"
 S_D = 1.5
 S_F = 1.5
 )";
+
+  static constexpr double most_of_hard = 0.8;  // tau_D/sigma_D, up to which Crossland and Dang Van hold
 
   /// Governing criterion: the worst of those valid for tau_D/sigma_D.
   enum class Criterion { worst, findley, matake, crossland, dang_van };
@@ -119,7 +123,7 @@ S_F = 1.5
     Stress sigma_va = unset<Stress>, sigma_v = unset<Stress>;
     double n_F = unset<double>, n_M = unset<double>, n_C = unset<double>, n_DV = unset<double>, n_v = unset<double>;
     double n = unset<double>, n_y = unset<double>;
-    double u_D = unset<double>, x_D = unset<double>, x_C = unset<double>, e_p = unset<double>;
+    double u_D = unset<double>, x_D = unset<double>, x_C = unset<double>, x_H = unset<double>, e_p = unset<double>;
     double u_y = unset<double>, u_F = unset<double>, x_N = unset<double>;
   };
   static constexpr Fields results{
@@ -153,18 +157,20 @@ S_F = 1.5
       Field{&Result::sigma_v, "sigma_v", MPa, "maximum von Mises stress"}.holding("K_A"),
       Field{&Result::n_F, "n_F", ratio, "safety by Findley"}.may_be_infinite(),
       Field{&Result::n_M, "n_M", ratio, "safety by Matake"}.may_be_infinite(),
-      Field{&Result::n_C, "n_C", ratio, "safety by Crossland; none where tau_D is below sigma_D over root of 3"}
+      Field{&Result::n_C, "n_C", ratio, "safety by Crossland; none below 0.577 and above 0.8 of tau_D / sigma_D"}
           .may_be_infinite(),
-      Field{&Result::n_DV, "n_DV", ratio, "safety by Dang Van"}.may_be_infinite(),
+      Field{&Result::n_DV, "n_DV", ratio, "safety by Dang Van; none above 0.8 of tau_D / sigma_D"}.may_be_infinite(),
       Field{&Result::n_v, "n_v", ratio, "safety by von Mises in phase, without mean stress: to compare, never decides"}
           .may_be_infinite(),
       Field{&Result::n, "n", ratio, "safety factor by the governing criterion"}.may_be_infinite(),
       Field{&Result::n_y, "n_y", ratio, "safety against yielding at the most stressed moment"},
       Field{&Result::u_D, "u_D", ratio, "fatigue: required / calculated safety factor"}.check().where_it_applies(),
-      Field{&Result::x_D, "x_D", ratio, "tau_D / sigma_D: range of metals covered by the criteria"}.limit(0.5 - 1e-9,
-                                                                                                          0.8 + 1e-9),
+      Field{&Result::x_D, "x_D", ratio, "tau_D / sigma_D: metals covered by Findley and Matake"}.limit(0.5 - 1e-9, 1.0),
       Field{&Result::x_C, "x_C", ratio, "Crossland only: sqrt(3) tau_D / sigma_D, at least 1"}
           .limit(1 - 1e-9, std::numeric_limits<double>::infinity())
+          .where_it_applies(),
+      Field{&Result::x_H, "x_H", ratio, "Crossland and Dang Van only: tau_D / sigma_D, up to 0.8"}
+          .limit(0.0, most_of_hard + 1e-9)
           .where_it_applies(),
       Field{&Result::e_p, "e_p", ratio, "planes: difference of two searches from other grids, over the larger"},
       Field{&Result::u_y, "u_y", ratio, "yielding: maximum von Mises stress / yield strength"}.check("R_e"),
@@ -191,7 +197,7 @@ S_F = 1.5
   static constexpr std::array modes{
       Mode<Input>{"yield", "yielding at peak equivalent stress", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "infinite-life fatigue, non-proportional stresses", &always<Input>}.judged_by(
-          "u_D, x_D, x_C"),
+          "u_D, x_D, x_C, x_H"),
       fatigue_of_metal<&varies, Input>(),
       Mode<Input>{"rest", "additional stress components", &unseen<Input>}.by_companions(),
       Mode<Input>{"across", "surface-normal and subsurface stresses", &unseen<Input>},

@@ -91,23 +91,34 @@ bool is_peak_of_source(const Step& step, const std::string& path, const std::str
          });
 }
 
-/// Whether a step has such a load, or a drive such a torque: the load of a part of the machine is meant for that one.
-bool is_carried(const Project& project, const std::string& name, double si, const Dimension& dimension) {
+std::string_view id_of(const Step& step) { return step.input().calculator->id; }
+
+/// Whether a step has such a load, or a drive such a torque.
+bool carries(const Step& step, const Project& project, const std::string& name, double si, const Dimension& dimension) {
   constexpr double rounded = 0.98;
-  return std::ranges::any_of(project.steps, [&](const auto& step) {
-    if (step->input().calculator == nullptr || step->input().reading.record.data == nullptr) return false;
-    bool found = false;
-    const double factors = factors_included(name, *step, project);
-    for_each_leaf(step->input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-      const bool is_peak = std::string_view(leaf.field->key).ends_with("_max");
-      const bool is_such = is_comparable(*leaf.field) && !is_peak && leaf.field->dimension == dimension;
-      found = found || (is_such && load_at(*step, project, path) * factors >= rounded * si);
-    });
-    if (found || !(dimension == Dimension::of(2, 1, -2))) return found;
-    constexpr std::array torques{".T_1", ".T_2", ".T_out"};
-    return std::ranges::any_of(torques, [&](const char* key) {
-      return std::abs(magnitude_at(project, step->name() + key)) * factors >= rounded * si;
-    });
+  bool found = false;
+  const double factors = factors_included(name, step, project);
+  for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+    const bool is_peak = std::string_view(leaf.field->key).ends_with("_max");
+    const bool is_such = is_comparable(*leaf.field) && !is_peak && leaf.field->dimension == dimension;
+    found = found || (is_such && load_at(step, project, path) * factors >= rounded * si);
+  });
+  if (found || !(dimension == Dimension::of(2, 1, -2))) return found;
+  constexpr std::array torques{".T_1", ".T_2", ".T_out"};
+  return std::ranges::any_of(torques, [&](const char* key) {
+    return std::abs(magnitude_at(project, step.name() + key)) * factors >= rounded * si;
+  });
+}
+
+/// Whether the load of a value is carried: that of a part of the machine by any step, a largest one by a part of the
+/// same kind, as the moment of the edge column of a frame.
+bool is_carried(const Step& step, const Project& project, const std::string& name, double si,
+                const Dimension& dimension) {
+  const bool is_peak = is_of_peak(name);
+  if (!is_peak && !is_of_machine(name, project)) return false;
+  return std::ranges::any_of(project.steps, [&](const auto& other) {
+    return (!is_peak || (other.get() != &step && id_of(*other) == id_of(step))) &&
+           carries(*other, project, name, si, dimension);
   });
 }
 
@@ -170,8 +181,6 @@ bool bends_a_bar(std::string_view name, const Dimension& dimension) {
                       dimension == Dimension::of(0, 1, -2));
 }
 
-std::string_view id_of(const Step& step) { return step.input().calculator->id; }
-
 /// A component under the name of an input that is not given, if no other step has it; or a bending moment of a shaft
 /// that is assessed in torsion only.
 void compare_component(const Step& step, const Project& project, const std::string& name, const Value& value,
@@ -214,14 +223,14 @@ double axial_force(const Step& shaft, const Project& project) {
 
 /// Whether a mounted component has a force of this size, or a step finds it under this name.
 bool is_on_shaft(const Step& shaft, const Project& project, const std::string& name, double si) {
-  constexpr double rounded = 0.98;
+  constexpr double rounded = 0.02;
   bool found = false;
   for_each_leaf(shaft.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
     const bool is_force = leaf.field->dimension == Dimension::of(1, 1, -2);
-    found = found || (path.starts_with("seats") && is_force && load_at(shaft, project, path) >= rounded * si);
+    found = found || (path.starts_with("seats") && is_force && is_near(load_at(shaft, project, path), si, rounded));
   });
   return found || std::ranges::any_of(project.steps, [&](const auto& other) {
-           return std::abs(magnitude_at(project, other->name() + "." + name)) >= rounded * si;
+           return is_near(std::abs(magnitude_at(project, other->name() + "." + name)), si, rounded);
          });
 }
 
@@ -281,8 +290,7 @@ std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project
     if (own.path.empty()) compare_bending(step, project, name, value, found);
     if (own.path.empty() && is_component(name)) compare_component(step, project, name, value, found);
     if (own.path.empty() || !(si > own.si) || si > implausible_ratio * own.si) continue;
-    const bool is_of_part = !is_of_peak(name) && name != own.path && is_of_machine(name, project);
-    if (is_of_part && is_carried(project, name, si, value.signature.dimension)) continue;
+    if (name != own.path && is_carried(step, project, name, si, value.signature.dimension)) continue;
     const std::string key = own.path.substr(0, own.path.find_first_of(".["));
     found.push_back(
         {key, say("values.{1} = {2} acts on no step, and {3} is {4}: refer to it, delete it, or justify it: "

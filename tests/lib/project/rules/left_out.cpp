@@ -61,6 +61,9 @@ TEST_SUITE("project: loads left out") {
                 {"N_Ed = \"-700 kN\"", "P"},
                 {"N_Ed = \"-600 kN\"", ""},
                 {"F_max = \"700 kN\"", "P"}});
+    std::string edge = "[edge]" + bar.substr(bar.find(']') + 1);
+    edge.replace(edge.find("60 kN*m"), 2, "65");
+    check(bar + edge, {{"M_y_max = \"65 kN*m\"", ""}, {"M_y_max = \"70 kN*m\"", "M_y_1"}});
     check(with_lines(bar, "q_z = \"2 kN/m\""), {{"q_wind = \"3 kN/m\"", "q_z"}, {"q_snow = \"2 kN/m\"", ""}});
     const std::string design = example_of("shaft.design");
     check(design, {{"F_thrust = \"400 N\"", "seats"},
@@ -69,6 +72,7 @@ TEST_SUITE("project: loads left out") {
                    {"F_ax_adm = \"400 N\"", ""},
                    {"F_r = \"2 kN\"", "seats"},
                    {"F_r = \"600 N\"", ""},
+                   {"F_r = \"520 N\"", "seats"},
                    {"F_t = \"1429 N\"", ""}});
     check(example_of("column.buckling"), {{"H_crane = \"20 kN\"", "P"}, {"H_crane = \"20 mm\"", ""}});
     check(design, {{"T_start = \"900 N*m\"", "seats"}});

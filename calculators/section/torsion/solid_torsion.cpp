@@ -65,7 +65,7 @@ Meshes meshes_of(const Input& in) {
   if (are_same(contours, last)) return meshes;
   const std::size_t per_side = elements_per_side(contours.points.size());
   meshes = {numerics::torsion_function({contours.loops.data(), contours.loops.size()}, per_side),
-          numerics::torsion_function({contours.loops.data(), contours.loops.size()}, 2 * per_side)};
+            numerics::torsion_function({contours.loops.data(), contours.loops.size()}, 2 * per_side)};
   last = contours;  // of the loops only the sizes are compared
   return meshes;
 }

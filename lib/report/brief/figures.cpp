@@ -173,9 +173,7 @@ figure::Figure outlined(const Project& project, figure::Figure figure, const pro
   return figure;
 }
 
-figure::Figure in_file(const Project& project, const StepFigure& of) {
-  return outlined(project, marked(of), *of.step);
-}
+figure::Figure in_file(const Project& project, const StepFigure& of) { return outlined(project, marked(of), *of.step); }
 
 figure::Figure in_brief(const figure::Figure& figure) {
   figure::Figure brief = figure;

@@ -127,12 +127,12 @@ bool Hdf5File::Parts::add(const std::string& name, const std::string& unit, cons
               H5Dclose);
   if (!data.is_open()) return false;
   const std::uint64_t number = columns.size();
-  const bool written = put(*data, "name", name) && put(*data, "unit", unit) &&
-                       put(*data, "shown_in", shown_in.empty() ? "-" : shown_in) && put(*data, "number", number) &&
-                       (words.empty() || put(*data, "words", words));
+  const bool is_described = put(*data, "name", name) && put(*data, "unit", unit) &&
+                            put(*data, "shown_in", shown_in.empty() ? "-" : shown_in) && put(*data, "number", number) &&
+                            (words.empty() || put(*data, "words", words));
   columns.push_back({std::move(data), {}});
   columns.back().waiting.reserve(rows_at_once);
-  return written;
+  return is_described;
 }
 
 bool Hdf5File::Parts::add_columns(const SweepPlan& plan) {

@@ -124,13 +124,13 @@ std::size_t count_of(const std::vector<OutputError>& errors, bool (*is)(const Ou
 Message method_of(const std::vector<OutputError>& errors) {
   const auto unknown = count_of(errors, [](const OutputError& e) { return !is_known(e); });
   const auto open = count_of(errors, [](const OutputError& e) { return e.status == Status::does_not_close; });
-  const auto anew = count_of(errors, [](const OutputError& e) { return e.recomputed; });
+  const auto solved_again = count_of(errors, [](const OutputError& e) { return e.recomputed; });
   const auto warned = [&](std::string_view id, std::size_t count) {
     return say(id, std::to_string(count), std::to_string(errors.size()));
   };
   if (open > 0) return warned("some corners do not close, at {1} of {2} positions", open);
   if (unknown > 0) return warned("not available at {1} of {2} positions: dead point, jam or no forces", unknown);
-  if (anew > 0) return warned("corners solved again, at {1} of {2} positions", anew);
+  if (solved_again > 0) return warned("corners solved again, at {1} of {2} positions", solved_again);
   return say("derivatives; two corners solved again at each position");
 }
 

@@ -37,7 +37,7 @@ void add(Contours& contours, const Corners& corners) {
   contours.loops.push_back({first, corners.size()});
 }
 
-/// Elements per side of the coarse net; the fine one has twice as many.
+/// Elements per side of the coarse mesh; the fine one has twice as many.
 std::size_t elements_per_side(std::size_t sides) {
   constexpr std::size_t enough = 20;
   return std::clamp<std::size_t>(numerics::most_elements / sides / 2, 2, enough);
@@ -55,7 +55,7 @@ bool are_same(const Contours& one, const Contours& other) {
          std::ranges::equal(one.loops, other.loops, {}, &Contour::size, &Contour::size);
 }
 
-/// Of the section of the last call, too: a load that varies leaves it as it is.
+/// Kept from the last call while the section is the same: in a sweep of the load it is solved once.
 Meshes meshes_of(const Input& in) {
   thread_local Contours last;
   thread_local Meshes meshes;
@@ -91,10 +91,10 @@ void strength(const Input& in, const Meshes& meshes, Result& r, Tracer& trace) {
   r.tau_all = allowable_shear(in, unset<Stress>, trace);
   if (SolidTorsion::has_inner_corner(in)) return;
   const Length e_1 =
-      trace.value("e_1", from_si<Length>(meshes.coarse.stress), "maximum stress over G theta, coarse net");
+      trace.value("e_1", from_si<Length>(meshes.coarse.stress), "maximum stress over G theta, coarse mesh");
   const Length e_2 = trace.value("e_2", from_si<Length>(meshes.fine.stress), "the same, elements of half the size");
   STEP(e, e_2 + (e_2 - e_1) / 3.0, "extrapolated: the error falls with the square of the size");
-  STEP_TO(r, e_W, abs(e - e_2) / e, "the fine net against it");
+  STEP_TO(r, e_W, abs(e - e_2) / e, "the fine mesh against it");
   STEP_TO(r, W_t, r.I_t / e, "torque over the maximum stress");
   r.y_t = from_si<Length>(meshes.fine.at.x), r.z_t = from_si<Length>(meshes.fine.at.y);
   STEP_TO(r, tau_max, in.K_A * abs(in.T) / W_t, "on the contour, [B19] (2)");
@@ -128,11 +128,11 @@ SolidTorsion::Result SolidTorsion::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.d_s = size_of(in);
   const Meshes meshes = meshes_of(in);
-  const SecondMoment I_1 = trace.value("I_1", from_si<SecondMoment>(meshes.coarse.I_t), "coarse net, [Prandtl]");
+  const SecondMoment I_1 = trace.value("I_1", from_si<SecondMoment>(meshes.coarse.I_t), "coarse mesh, [Prandtl]");
   const SecondMoment I_2 =
       trace.value("I_2", from_si<SecondMoment>(meshes.fine.I_t), "elements of half the size, [Prandtl]");
   STEP_TO(r, I_t, I_2 + (I_2 - I_1) / 7.0, "extrapolated: the error falls with the third power of the size");
-  STEP_TO(r, e_I, abs(I_t - I_2) / I_t, "the fine net against it");
+  STEP_TO(r, e_I, abs(I_t - I_2) / I_t, "the fine mesh against it");
   strength(in, meshes, r, trace);
   if (is_set(in.G)) {
     STEP_TO(r, theta, in.K_A * in.T / (in.G * I_t), "angle of twist per unit length");

@@ -1,6 +1,6 @@
 // A solid section of any straight outline, with holes, in torsion: Prandtl's stress function by boundary elements.
 //
-// Decides torsion constant, section modulus and the place of the largest stress from two nets of elements, the second
+// Decides torsion constant, section modulus and the place of the largest stress from two meshes, the second
 // twice as fine, by Richardson's extrapolation; how far the fine one is from it is said and limited. Saint-Venant: free
 // to warp. At an inner corner the elastic stress has no bound: the section modulus is not given there.
 // Not covered: stress at inner corners, held warping, fatigue, bending. Curves are followed by points.

@@ -39,6 +39,9 @@ class NotedReads {
 /// Whether a value differs from another one by at most this share of it; not if one of them is not known.
 inline bool is_near(double value, double other, double share) { return std::abs(value - other) <= share * other; }
 
+/// The calculator of a step: "shaft.design".
+inline std::string_view id_of(const Step& step) { return step.input().calculator->id; }
+
 /// How a reason for an input is written in a file: "because.F", because."seats[2].J".
 std::string because_key(const std::string& path);
 

@@ -16,8 +16,6 @@ namespace {
 constexpr double as_typed = 1e-3;  // of a value with few digits
 constexpr double of_wall = 0.1;    // of a radius: to the inner, middle or outer surface of a thin wall
 
-std::string_view id_of(const Step& step) { return step.input().calculator->id; }
-
 /// The key of the radius at the shell, of a cone, an ellipsoid or a hemisphere; empty for other steps.
 const char* edge_of(const Step& step) {
   if (id_of(step) == "vessel.cone" || id_of(step) == "vessel.sphere") return "R";

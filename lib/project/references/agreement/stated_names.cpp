@@ -76,7 +76,6 @@ bool has_text_word(std::string_view text, std::string_view word) {
 /// Whether an element of a list has this name: a seat, a pulley, a wheel.
 bool names_row(const Step& step, std::string_view word) {
   const Record& record = step.input().reading.record;
-  if (record.data == nullptr) return false;
   for (const FieldInfo& list : record.type->fields) {
     if (list.type != FieldInfo::Type::list) continue;
     for (std::size_t i = 0; i < list.size(record.data.get()); ++i) {

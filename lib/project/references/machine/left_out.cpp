@@ -91,8 +91,6 @@ bool is_peak_of_source(const Step& step, const std::string& path, const std::str
          });
 }
 
-std::string_view id_of(const Step& step) { return step.input().calculator->id; }
-
 /// Whether a step has such a load, or a drive such a torque.
 bool carries(const Step& step, const Project& project, const std::string& name, double si, const Dimension& dimension) {
   constexpr double rounded = 0.98;

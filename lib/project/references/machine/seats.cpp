@@ -46,8 +46,7 @@ class SeatCheck {
     return std::any_of(records.begin(), records.end(), [&](const Taken& r) {
       if (!r.path.ends_with(".load")) return false;
       const Step* const source = project_.find(split_step(r.source).first);
-      return source == nullptr || source->input().calculator == nullptr ||
-             find_field(source->input().calculator->input->fields, "K_A") != nullptr;
+      return source == nullptr || find_field(source->input().calculator->input->fields, "K_A") != nullptr;
     });
   }
 

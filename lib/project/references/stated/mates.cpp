@@ -20,18 +20,11 @@ constexpr double of_hole = 0.12;  // of the diameters of a pin and its hole
 
 using Keys = std::initializer_list<const char*>;
 
-std::string_view id_of(const Step& step) {
-  const bool has_record = step.input().calculator != nullptr && step.input().reading.record.data != nullptr;
-  return has_record ? std::string_view(step.input().calculator->id) : std::string_view();
-}
-
 /// The value of an input: typed, of a row, found; or a result.
 double size_at(const Step& step, const Project& project, const std::string& key) {
   const double own = std::abs(own_value(step, project, key));
   return std::isnan(own) ? std::abs(magnitude_at(project, step.name() + "." + key)) : own;
 }
-
-bool is_near(double a, double b, double share) { return std::abs(a - b) <= share * std::fmax(a, b); }
 
 /// Whether the name is a diameter, a width or a thickness by its first or its last word.
 bool is_size(std::string_view name, std::initializer_list<std::string_view> words) {
@@ -63,7 +56,6 @@ class Mates {
   /// Whether a step has this size under one of these keys; of shafts, any diameter of a segment.
   [[nodiscard]] bool has_size(double si, Keys keys, double share) const {
     return std::ranges::any_of(project_.steps, [&](const auto& step) {
-      if (id_of(*step).empty()) return false;
       if (std::ranges::any_of(keys, [&](const char* key) { return is_near(size_at(*step, project_, key), si, share); }))
         return true;
       bool found = false;

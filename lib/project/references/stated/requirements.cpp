@@ -54,15 +54,13 @@ class Requirements {
  private:
   [[nodiscard]] double own(const std::string& key) const { return own_value(step_, project_, key); }
   [[nodiscard]] static const FieldInfo* input_of(const Step& step, std::string_view key) {
-    const bool has_record = step.input().calculator != nullptr && step.input().reading.record.data != nullptr;
-    return has_record ? find_field(step.input().calculator->input->fields, key) : nullptr;
+    return find_field(step.input().calculator->input->fields, key);
   }
 
   /// The least allowable value of this kind that the step has, and its input.
   [[nodiscard]] std::pair<const FieldInfo*, double> least_allowable(const Step& step, const std::string& stem,
                                                                     const Dimension& dimension) const {
     std::pair<const FieldInfo*, double> least{nullptr, std::nan("")};
-    if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return least;
     for (const FieldInfo& field : step.input().calculator->input->fields) {
       if (!field.is_number() || !(field.dimension == dimension) || stem_of(field.key) != stem) continue;
       const double here = own_value(step, project_, field.key);

@@ -29,8 +29,8 @@ std::vector<Point> rectangle_of(double b, double h, double y = 0.0, double z = 0
   return {{y, z}, {y + b, z}, {y + b, z + h}, {y, z + h}};
 }
 
-/// I_t by finite differences on a grid of squares, an independent method: Gauss and Seidel on phi, zero where `solid` is
-/// not; second order, extrapolated from two grids.
+/// I_t by finite differences on a grid of squares, an independent method: Gauss and Seidel on phi, zero where `solid`
+/// is not; second order, extrapolated from two grids.
 template <class Solid>
 double by_differences(double width, double height, const Solid& solid, int n) {
   const double h = width / n;

@@ -3,10 +3,10 @@
 #include "cli/lsp/target.hpp"
 #include "cli/lsp/words.hpp"
 #include "lib/project/parts/parts.hpp"
+#include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 namespace loadpath::cli::lsp {
@@ -14,10 +14,6 @@ namespace loadpath::cli::lsp {
 namespace {
 
 using Type = FieldInfo::Type;
-
-constexpr std::array functions{"peak", "min", "max",  "mean", "rms",  "amplitude", "range",
-                               "at",   "abs", "sqrt", "cbrt", "exp",  "ln",        "sin",
-                               "cos",  "tan", "asin", "acos", "atan", "atan2",     "mises"};
 
 /// A path of a step that others may take, and its description.
 struct Offer {
@@ -118,12 +114,8 @@ std::vector<Completion> first_parts(const OpenFile& file, const std::string& own
     if (item.path[0] == "values" && item.path.size() == 2)
       items.push_back({.label = "values." + item.path[1], .detail = std::string(item.in(text)), .rank = 1});
   }
-  for (const char* name : functions)
-    items.push_back({.label = name,
-                     .kind = Kind::function,
-                     .text = std::string(name) + "(",
-                     .snippet = std::string(name) + "($1)",
-                     .rank = 4});
+  for (const std::string& name : expression::function_names())
+    items.push_back({.label = name, .kind = Kind::function, .text = name + "(", .snippet = name + "($1)", .rank = 4});
   return items;
 }
 

@@ -9,7 +9,7 @@
 //   const   pi, rev (one turn: rev*f: angular velocity of f turns per time), g (9.80665 m/s^2; inside the unit of a
 //           number g is the gram: `5 g`, `2 kN/g`, but `80 kg * (g)`)
 //   calls   peak min max mean rms amplitude range at(series, place) abs sqrt cbrt exp ln sin cos tan asin acos
-//           atan atan2 mises(sigma, tau)
+//           atan atan2 hypot(x, y) mises(sigma, tau)
 //           max(a, b) and min(a, b) are element-wise, max(series) and min(series) reduce; at takes a place in the axis'
 //           unit
 #pragma once
@@ -31,7 +31,9 @@ namespace loadpath {
 
 namespace expression {
 struct Tree;
-}
+/// The names of all functions, "peak", "hypot".
+std::vector<std::string> function_names();
+}  // namespace expression
 
 /// Factors that a value contains, by the inputs that they are, with their values: "chain.K_A", 1.4. Two are of one kind
 /// where their last names are the same, and those of one kind are equal where their values are.

@@ -1,3 +1,4 @@
+#include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/parser.hpp"
 #include "lib/quantity/expression/scan.hpp"
 #include "lib/quantity/literal.hpp"

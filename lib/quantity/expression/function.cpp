@@ -1,3 +1,4 @@
+#include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/interval_functions.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
@@ -92,6 +93,14 @@ constexpr Function functions[] = {
      .join = [](double y, double x) { return std::atan2(y, x); },
      .jet_of_two = atan2,
      .bounds_of_two = atan2},
+    {.name = "hypot",
+     .form = "hypot(x, y)",
+     .rule = Rule::root,
+     .least = 2,
+     .most = 3,
+     .degree = 2,
+     .is_magnitude = true,
+     .is_resultant = true},
     {.name = "mises",
      .form = "mises(sigma, tau)",
      .rule = Rule::stresses,

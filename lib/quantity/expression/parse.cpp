@@ -195,7 +195,27 @@ Node Parser::call(std::size_t end) {
     fail(node.at, node.length, say("wrong number of arguments of '{1}': {2}", name, std::to_string(given)),
          say("write {1}", node.function->form));
   }
-  return node;
+  return node.function->is_resultant ? resultant(std::move(node)) : node;
+}
+
+/// The root of the sum of the squares, sqrt(x^2 + y^2): dimensions, factors and derivatives are those of the
+/// operations.
+Node Parser::resultant(Node call) const {
+  const auto within_call = [&](Node node) {
+    node.at = call.at, node.length = call.length;
+    return node;
+  };
+  Node sum;
+  for (Node& side : call.kids) {
+    const bool is_first = &side == &call.kids.front();
+    Node two = within_call({});
+    two.si = 2.0;
+    Node square = within_call(joined(Operation::power, std::move(side), std::move(two)));
+    sum = is_first ? std::move(square) : within_call(joined(Operation::add, std::move(sum), std::move(square)));
+  }
+  call.function = find_function("sqrt");
+  call.kids.assign(1, std::move(sum));
+  return call;
 }
 
 void Parser::arguments(Node& node, std::size_t open) {

@@ -29,6 +29,7 @@ class Parser {
   Node constant(double si, Dimension dimension, std::size_t end);
   Node reference(std::size_t end);
   Node call(std::size_t end);
+  [[nodiscard]] Node resultant(Node call) const;
   void arguments(Node& node, std::size_t open);
   void unit(Node& literal);
 

@@ -38,6 +38,7 @@ struct Function {
   double (*join)(double, double) = nullptr;
   int degree = 1;
   bool is_magnitude = false;  // never negative, for any argument
+  bool is_resultant = false;  // the parser writes it out: the root of the sum of the squares of the arguments
   numerics::Jet (*jet)(const numerics::Jet&) =
       nullptr;  // smooth functions of one argument; null for functions with kinks
   numerics::Jet (*jet_of_two)(const numerics::Jet&, const numerics::Jet&) = nullptr;
@@ -47,7 +48,6 @@ struct Function {
 
 /// Null if no function has the name.
 const Function* find_function(std::string_view name);
-std::vector<std::string> function_names();
 
 enum class Operation { literal, reference, negate, add, subtract, multiply, divide, power, call };
 

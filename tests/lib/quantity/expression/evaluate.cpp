@@ -39,6 +39,8 @@ TEST_SUITE("quantity") {
         {"acos(0.5)", std::numbers::pi / 3.0},
         {"atan(1)", 0.25 * std::numbers::pi},
         {"atan2(-1 m, -1 m)", -0.75 * std::numbers::pi},
+        {"hypot(3 N, -4 N)", 5.0},
+        {"hypot(2 mm, 3 mm, 6 mm)", 0.007},
         {"max(3 mm, 1 cm, 2 mm)", 0.01},
         {"min(3 mm, 1 cm, 2 mm)", 0.002},
         {"16*120.52 N*m/(pi*(30 MPa))", 16.0 * 120.52 / (std::numbers::pi * 30e6)},

@@ -181,7 +181,7 @@ TEST_SUITE("quantity") {
         {"40 mm*cosine(2)", "cosine", "unknown function 'cosine'",
          "the functions are peak, amplitude, midrange, range, mean, rms, at, max, min, abs, sqrt, cbrt, exp, ln, sin, "
          "cos, tan, "
-         "asin, acos, atan, atan2, mises"},
+         "asin, acos, atan, atan2, hypot, mises"},
         {"2*PI", "PI", "'PI' is not a complete reference", "did you mean 'pi'?"},
         {"length + 2", "length", "'length' is not a complete reference",
          "write length.RESULT, as in lever.drive.M; a shared value is values.length"},

@@ -15,6 +15,12 @@ using Result = Rolling::Result;
 using Stage = Rolling::Stage;
 using Stages = List<Stage, Rolling::most_blocks>;
 
+/// Of a block, with K_A; the axial load is positive in the direction that the bearing carries.
+struct Loads {
+  Force F_r, F_a;
+};
+using Spectrum = List<Loads, Rolling::most_blocks>;
+
 constexpr Force none = 0.0 * N.one;
 
 /// Equivalent load of the rotating bearing.
@@ -75,22 +81,34 @@ void modify(const Input& in, Stage& s, Tracer& trace) {
       trace.value("a_ISO", a_ISO_of(in.kind, s.kappa, in.e_C * in.C_u / s.P), "by kappa and e_C C_u/P, [ISO281-aISO]");
 }
 
+/// The loads of a block: its own, or k times those of the step.
+template <class Tracer>
+Loads loads_of(const Input& in, const Block& b, const Loads& step, Tracer& trace) {
+  const double k = trace.value("k", b.k, "loads of the block over those of the step");
+  const Force F_rd = step.F_r, F_ad = abs(step.F_a);
+  const Force own_F_a = is_set(b.F_a) ? thrust_of_block(in, b) : step.F_a;
+  const Force F_rK = is_set(b.F_r) ? trace.value("F_rK", in.K_A * b.F_r, "own radial load of the block, with K_A")
+                                   : NAMED_STEP("F_rK", k * F_rd, "radial load of the block");
+  const Force F_aK = is_set(b.F_a) ? trace.value("F_aK", in.K_A * abs(own_F_a), "own axial load of the block, with K_A")
+                                   : NAMED_STEP("F_aK", k * F_ad, "axial load of the block");
+  return {F_rK, own_F_a < none ? -F_aK : F_aK};
+}
+
 /// One block for all where none is given.
 template <class Tracer>
-Stages stages(const Input& in, Force F_rd, Force F_ad, const Equivalent& whole, Tracer& trace) {
+Stages stages(const Input& in, const Loads& step, const Equivalent& whole, Spectrum& loads, Tracer& trace) {
   Stages all;
   for (std::size_t i = 0; i < in.blocks.size(); ++i) {
     [[maybe_unused]] const auto here = trace.scope("blocks", i);
-    const Rolling::Block& b = in.blocks[i];
-    const double k = trace.value("k", b.k, "loads of the block over those of the step");
-    STEP(F_rK, k * F_rd, "radial load of the block");
-    STEP(F_aK, k * F_ad, "axial load of the block");
-    const Equivalent q = equivalent(in, F_rK, F_aK, trace);
+    const Block& b = in.blocks[i];
+    loads.push_back(loads_of(in, b, step, trace));
+    const Equivalent q = equivalent(in, loads.back().F_r, abs(loads.back().F_a), trace);
     all.push_back({b.name, b.q, is_set(b.n) ? b.n : in.n, q.e, q.Y, q.P});
     modify(in, all.back(), trace);
   }
   if (in.blocks.empty()) {
     all.push_back({Name(), 1.0, in.n, whole.e, whole.Y, whole.P});
+    loads.push_back(step);
     modify(in, all.back(), trace);
   }
   return all;
@@ -110,6 +128,19 @@ Force smallest(const Stages& all) {
     if (turns(s)) P = std::min(P, s.P);
   }
   return P;
+}
+
+/// The largest radial and the largest axial load, which need not act together.
+Loads largest_of(const Spectrum& loads) {
+  Loads most{none, none};
+  for (const Loads& load : loads) most = {std::max(most.F_r, load.F_r), std::max(most.F_a, abs(load.F_a))};
+  return most;
+}
+
+Force largest_in_turning(const Stages& all, const Spectrum& loads) {
+  Force F_a = none;
+  for (std::size_t i = 0; i < all.size(); ++i) F_a = turns(all[i]) ? std::max(F_a, abs(loads[i].F_a)) : F_a;
+  return F_a;
 }
 
 /// The factor of all blocks: that of one, or the mean by the damage that they do.
@@ -226,11 +257,13 @@ Force refused(Kind kind, Force F_r, Force F_a) {
 
 /// The axial load of a kind, its direction and its size.
 template <class Tracer>
-void axial(const Input& in, const Thrust& thrust, double k, Force F_rX, Force F_aX, Result& r, Tracer& trace) {
+void axial(const Input& in, const Thrust& thrust, const Spectrum& loads, const Loads& most, Result& r, Tracer& trace) {
   const Force F_a0 = thrust.F_a0, F_r0 = is_set(in.F_r0) ? in.F_r0 : none;
-  const Force over_0 = bears_on_ribs(in.kind) ? refused(in.kind, 2.0 * abs(F_a0), F_a0) : refused(in.kind, F_r0, F_a0);
-  r.F_ao = trace.value("F_ao", std::max(refused(in.kind, F_rX, k * in.K_A * thrust.F_a), over_0),
-                       "wrong direction, or no ribs; on ribs more than half the radial load, [SKF-rolling]");
+  Force over = bears_on_ribs(in.kind) ? refused(in.kind, 2.0 * abs(F_a0), F_a0) : refused(in.kind, F_r0, F_a0);
+  for (const Loads& load : loads) over = std::max(over, refused(in.kind, load.F_r, load.F_a));
+  r.F_ao =
+      trace.value("F_ao", over, "wrong direction, or no ribs; on ribs more than half the radial load, [SKF-rolling]");
+  const Force F_rX = most.F_r, F_aX = most.F_a;
   r.F_ro = trace.value("F_ro", takes_axial_alone(in.kind) ? std::max(F_rX, F_r0) : none, "on a thrust bearing");
   if (Rolling::has_axial_bound(in) == Applies::yes && (is_set(in.F_a_adm) || is_set(in.C_0))) {
     if (bears_on_ribs(in.kind) && !is_set(in.F_a_adm)) return;
@@ -242,11 +275,17 @@ void axial(const Input& in, const Thrust& thrust, double k, Force F_rX, Force F_
 }
 
 template <class Tracer>
-void by_itself(const Input& in, const Thrust& thrust, Force F_rK, Force F_aK, Result& r, Tracer& trace) {
+void by_itself(const Input& in, const Thrust& thrust, const Spectrum& loads, Force F_rK, Force F_aK, Result& r,
+               Tracer& trace) {
   if (!at_an_angle(in.kind) || !(F_rK > 1e-9 * in.C)) return;
   STEP_TO(r, F_i, in.c_i * F_rK / in.Y, "half of the rollers carry the load, [LYC-bearings]");
   const Force F_a_way = trace.value("F_a_way", thrust.F_a > none ? F_aK : none, "axial load that presses into it");
   STEP_TO(r, x_i, F_a_way / F_i, "the mating bearing holds against it, so that it is never less");
+  for (const Loads& load : loads) {
+    if (load.F_r > 1e-9 * in.C)
+      r.x_i = std::min(r.x_i, std::max(in_si(load.F_a), 0.0) / in_si(in.c_i * load.F_r / in.Y));
+  }
+  if (r.x_i < x_i) trace.value("x_i", r.x_i, "the smallest of the blocks");
 }
 
 }  // namespace
@@ -264,22 +303,20 @@ Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
   const Equivalent q = equivalent(in, F_rK, F_aK, trace);
   r.x_f = q.x_f, r.e = q.e, r.Y = q.Y, r.P = q.P;
   if (has_mate(in) && !is_set(r.Y)) r.Y = trace.value("Y", in.Y, "manufacturer's value");
-  Stages all = stages(in, F_rd, F_ad, q, trace);
-  double k_max = in.blocks.empty() ? 1.0 : 0.0, k_run = k_max;
-  for (const Block& b : in.blocks) {
-    k_max = std::max(k_max, b.k);
-    if ((is_set(b.n) ? b.n : in.n) > 0.0 * rpm.one) k_run = std::max(k_run, b.k);
+  Spectrum loads;
+  Stages all = stages(in, {F_rd, in.K_A * F_ax}, q, loads, trace);
+  const Loads most = largest_of(loads);
+  const Force F_aT = trace.value("F_aT", largest_in_turning(all, loads), "maximum axial load in turning");
+  if (is_set(in.f_0) && (is_set(r.x_f) || F_aT > none)) {
+    r.x_f = NAMED_STEP("x_f", in.f_0 * F_aT / in.C_0, "of the maximum axial load in turning");
   }
-  trace.value("k_max", k_max, "maximum of the blocks");
-  trace.value("k_run", k_run, "maximum of those in which it turns");
-  if (is_set(r.x_f)) r.x_f = NAMED_STEP("x_f", in.f_0 * k_run * F_ad / in.C_0, "of the maximum load in turning");
   if (runs(in) == Applies::yes) running(in, all, r, trace);
   if (!in.blocks.empty()) r.blocks = all;
-  STEP(F_rX, k_max * F_rd, "maximum radial load of the blocks");
-  STEP(F_aX, k_max * F_ad, "maximum axial load of the blocks");
-  at_rest(in, shared, F_rX, F_aX, r, trace);
-  axial(in, shared, k_max, F_rX, F_aX, r, trace);
-  by_itself(in, shared, F_rK, F_aK, r, trace);
+  trace.value("F_rX", most.F_r, "maximum radial load of the blocks");
+  trace.value("F_aX", most.F_a, "maximum axial load of the blocks");
+  at_rest(in, shared, most.F_r, most.F_a, r, trace);
+  axial(in, shared, loads, most, r, trace);
+  by_itself(in, shared, loads, F_rK, F_aK, r, trace);
   pressure_centre(in, r, trace);
   seat(in, r, trace);
   return r;

@@ -9,6 +9,7 @@
 // thrust bearings.
 #pragma once
 
+#include "calculators/bearing/rolling_block.hpp"
 #include "calculators/bearing/rolling_bounds.hpp"
 #include "calculators/bearing/rolling_centre.hpp"
 #include "calculators/bearing/rolling_kind.hpp"
@@ -62,16 +63,7 @@ L_h = "15000 h"
 s_0 = 2
 )";
 
-  struct Block {
-    Name name;
-    double q = unset<double>, k = 1.0;
-    AngularSpeed n = unset<AngularSpeed>;
-    static constexpr Fields fields{
-        NameField{&Block::name, "name", "name of the block"}.may_be_missing(),
-        Field{&Block::q, "q", ratio, "fraction of time; all fractions sum to 1"}.within(0, 1).positive(),
-        Field{&Block::k, "k", ratio, "loads of the block / F_r and F_a"}.at_least(0).usually(0, 10),
-        Field{&Block::n, "n", rpm, "speed of the block; omitted: n"}.at_least(0).may_be_missing()};
-  };
+  using Block = bearing::Block;
   static constexpr std::size_t most_blocks = 32;
 
   struct Input {
@@ -214,7 +206,7 @@ s_0 = 2
                  .at_least(0)
                  .may_be_missing(),
              Field{&Input::F_a0, "F_a0", kN, "simultaneous axial load"}.load().may_be_missing(),
-             ListField{&Input::blocks, "blocks", "load and speed blocks with time fractions; omitted: one block"}
+             ListField{&Input::blocks, "blocks", "blocks of load and speed with fractions of time; omitted: one block"}
                  .may_be_missing(),
              Choice{&Input::holds, "holds", "loads that the bearing must carry: radial, or radial and axial"}
                  .may_be_missing()},
@@ -331,12 +323,6 @@ s_0 = 2
                       "L_h, n, blocks", "a bearing at standstill has no life in hours: omit L_h, or give the speed"},
           Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",
                       "blocks of time need the speed n, or that of each block"},
-          Rule<Input>{
-              [](const Input& in) {
-                return in.blocks.empty() ||
-                       std::any_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return b.k >= 1.0; });
-              },
-              "blocks, F_r, F_a", "no block has the loads F_r and F_a: give the loads of the largest block, k = 1"},
           Rule<Input>{[](const Input& in) { return !is_set(in.R) || in.a_1 == 1.0; }, "R, a_1",
                       "give either the reliability R or a_1"},
           Rule<Input>{[](const Input& in) { return !(is_set(in.kappa) && is_set(in.nu)); }, "kappa, nu",
@@ -351,7 +337,7 @@ s_0 = 2
                       "nu, d, D, n",
                       "the reference viscosity needs bore, outer diameter and speed: give them, or kappa"},
           Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}},
-      pair_rules<Input>());
+      block_rules<Input>(), pair_rules<Input>());
 
   static constexpr bool turns = true;
   static constexpr auto bounds = rolling_bounds<Input>();

@@ -2,6 +2,7 @@
 // forces, and share the external one.
 #pragma once
 
+#include "calculators/bearing/rolling_block.hpp"
 #include "calculators/bearing/rolling_kind.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -149,6 +150,14 @@ template <class Input>
 Force shared(const Input& in, Force F_r, Force mate_F_r, Force external) {
   const double direction = carried(in) == Carries::left ? -1.0 : 1.0;
   return max(in.c_i * F_r / in.Y, in.c_i * mate_F_r / in.mate.Y + direction * external);
+}
+
+/// The axial load on the bearing in a block with an axial force of its own.
+template <class Input>
+Force thrust_of_block(const Input& in, const Block& b) {
+  if (!has_mate(in)) return b.F_a;
+  const Force mate_F_a = is_set(in.mate.F_a) ? b.k * in.mate.F_a : 0.0 * N.one;
+  return shared(in, b.k * in.F_r, b.k * in.mate.F_r, b.F_a + mate_F_a);
 }
 
 template <class Input, class Tracer>

@@ -12,10 +12,14 @@ namespace {
 
 constexpr Force none = 0.0 * N.one;
 
+bool has_axial_block(const Rolling::Input& in) {
+  return std::any_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return is_set(b.F_a) && b.F_a != none; });
+}
+
 /// Whether X and Y decide about this load.
 bool needs_factors(const Rolling::Input& in) {
   if (in.kind == Kind::unstated || takes_axial_alone(in.kind) || takes_radial_alone(in.kind)) return false;
-  return in.F_a != none || (at_an_angle(in.kind) && in.F_r > none);
+  return in.F_a != none || has_axial_block(in) || (at_an_angle(in.kind) && in.F_r > none);
 }
 
 bool by_f_0(const Rolling::Input& in) { return in.kind == Kind::deep_groove_ball && is_set(in.f_0); }
@@ -42,7 +46,7 @@ AngularSpeed Rolling::highest_speed(const Input& in) {
 }
 
 bool Rolling::has_axial(const Input& in) {
-  return has_mate(in) || in.F_a != none || (is_set(in.F_a0) && in.F_a0 != none);
+  return has_mate(in) || in.F_a != none || has_axial_block(in) || (is_set(in.F_a0) && in.F_a0 != none);
 }
 
 bool Rolling::factors_once(const Input& in) {

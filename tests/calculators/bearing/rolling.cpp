@@ -92,6 +92,35 @@ TEST_SUITE("rolling bearing") {
     CHECK(rel(in_si(r.P_0), 10e3) < 1e-12);  // at rest it still dents
   }
 
+  TEST_CASE("a block may have loads of its own in place of a share of those of the step") {
+    Rolling::Input in = bearing_6208();
+    in.F_a = 1.0 * kN, in.K_A = 1.3, in.s_0 = 1.5;
+    Rolling::Input shares = in;
+    shares.blocks.push_back({Name("full"), 0.25, 1.0, 900.0 * rpm});
+    shares.blocks.push_back({Name("half"), 0.75, 0.5, 1500.0 * rpm});
+    Rolling::Input own = in;
+    own.blocks.push_back({Name("full"), 0.25, 1.0, 900.0 * rpm, in.F_r, in.F_a});
+    own.blocks.push_back({Name("half"), 0.75, 1.0, 1500.0 * rpm, 0.5 * in.F_r, 0.5 * in.F_a});
+    const auto by_share = solve(shares), by_own = solve(own);
+    CHECK(rel(in_si(by_own.P_m), in_si(by_share.P_m)) < 1e-12);
+    CHECK(rel(by_own.u_0, by_share.u_0) < 1e-12);
+    CHECK(rel(by_own.u_a, by_share.u_a) < 1e-12);
+    CHECK(rel(by_own.x_f, by_share.x_f) < 1e-12);
+  }
+
+  TEST_CASE("an axial load of one block alone counts there, in life, limits and direction") {
+    Rolling::Input in;
+    in.kind = bearing::Kind::angular_contact_ball, in.C = 40.0 * kN, in.C_0 = 30.0 * kN, in.n = 1000.0 * rpm;
+    in.F_r = 2.0 * kN, in.F_a = 1.0 * kN, in.e = 0.68, in.X = 0.41, in.Y = 0.87;
+    in.blocks.push_back({Name("radial"), 0.5, 1.0});
+    in.blocks.push_back({Name("thrust"), 0.5, 1.0, unset<AngularSpeed>, 1.0 * kN, 4.0 * kN});
+    const double P = 0.41 * 1.0 + 0.87 * 4.0;  // kN; the other block: F_a/F_r = 0.5 < e, P = F_r = 2 kN
+    CHECK(rel(in_si(solve(in).P_m), 1e3 * std::cbrt(0.5 * 8.0 + 0.5 * P * P * P)) < 1e-12);
+    CHECK(solve(in).F_ao == 0.0 * N);
+    in.blocks[1].F_a = -4.0 * kN;
+    CHECK(rel(in_si(solve(in).F_ao), 4000.0) < 1e-12);
+  }
+
   TEST_CASE("two rows of [NSK-E1102] example 3 take their load by Y_1 up to e and by X and Y beyond") {
     Rolling::Input in;
     in.kind = bearing::Kind::spherical_roller, in.C = 603.0 * kN, in.F_r = 45.0 * kN, in.F_a = 8.0 * kN,
@@ -132,6 +161,10 @@ TEST_SUITE("rolling bearing") {
     check_says("kind = \"cylindrical_roller_NU\"\nf_0 = 14\n" + loads, "give either f_0");
     check_says("kind = \"deep_groove_ball\"\nC_0 = \"18 kN\"\nf_0 = 14\nblocks = [{ q = 0.5 }, { q = 0.4 }]\n" + loads,
                "the shares q sum to 0.9, not to 1");
+    const std::string typed = "kind = \"deep_groove_ball\"\nC_0 = \"18 kN\"\nf_0 = 14\n" + loads;
+    check_says("blocks = [{ q = 1, F_r = \"1 N\" }]\n" + typed, "no block has the loads F_r and F_a");
+    check_says("blocks = [{ q = 1, k = 2, F_r = \"90 kN\", F_a = \"90 kN\" }]\n" + typed,
+               "is not scaled: omit k there");
     check_says("kind = \"deep_groove_ball\"\nC = \"30 kN\"\nF_r = \"3 kN\"\nn = \"0 rpm\"\nL_h = \"100 h\"\n",
                "a bearing at standstill has no life in hours: omit L_h, or give the speed");
     check_says(loads, "give the bearing type");

@@ -261,7 +261,7 @@ std::optional<Issue> doubt_of(const Operand& operand, const std::string& step, c
   const auto rare =
       std::find_if(si.begin(), si.end(), [&](double x) { return !std::isnan(x) && !field.plausible.holds(x); });
   if (rare == si.end()) return std::nullopt;
-  return issue(unusual(operand.path, field, *rare), say("check the unit"), Severity::warning);
+  return issue(unusual(operand.path, field, *rare), unusual_hint(field), Severity::warning);
 }
 
 }  // namespace

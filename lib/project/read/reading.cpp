@@ -100,6 +100,10 @@ Message unusual(const std::string& path, const FieldInfo& field, double si) {
              format_quantity(field.plausible.low, field.unit), format_quantity(field.plausible.high, field.unit));
 }
 
+Message unusual_hint(const FieldInfo& field) {
+  return field.dimension.is_number() ? say("check the value") : say("check the unit");
+}
+
 bool is_name(std::string_view text) {
   const auto letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; };
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };

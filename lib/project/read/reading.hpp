@@ -165,6 +165,8 @@ bool is_out_of_proportion(double si);
 Message out_of_proportion(const std::string& path, const FieldInfo& field, double si);
 /// "d = 4500 mm is unusual: 5 mm to 2000 mm is expected".
 Message unusual(const std::string& path, const FieldInfo& field, double si);
+/// What to check of an unusual value: its unit, where it has one.
+Message unusual_hint(const FieldInfo& field);
 
 /// A name of a step, link or joint: letters, digits and '_', not starting with a digit.
 bool is_name(std::string_view text);

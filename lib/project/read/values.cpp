@@ -165,7 +165,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
                   say("check the unit and the power of ten"));
   }
   if (!field.plausible.holds(si)) {
-    say_at(tree.place, path, unusual(path, field, si), say("check the unit"), Severity::warning);
+    say_at(tree.place, path, unusual(path, field, si), unusual_hint(field), Severity::warning);
   }
   reading_.typed[path].text = text;
   field.set(owner, si);

@@ -420,6 +420,17 @@ torques = "=line.torques"
     CHECK(Solved(text + "[1]\"\n").errors() == "");
   }
 
+  TEST_CASE("an element that a solved list does not have, and a list without an element, are named") {
+    const std::string tubes =
+        "[filled]\ncalculator = \"vessel.compound\"\np = \"80 MPa\"\nd_i = \"150 mm\"\nd = \"250 mm\"\n"
+        "D = \"300 mm\"\np_c = \"10 MPa\"\nE_1 = \"200 GPa\"\nE_2 = \"200 GPa\"\nnu_1 = 0.3\nnu_2 = 0.3\n"
+        "[life]\ncalculator = \"fatigue.life\"\nsigma_min = \"0 MPa\"\nsigma_D = \"200 MPa\"\nR_m = \"500 MPa\"\n"
+        "group = \"carbon-steel\"\nS_D = 1.5\n";
+    CHECK(contains(Solved(tubes + "sigma_max = \"=filled.states.service.sigma_2i\"\n").errors(),
+                   "'filled.states' has no 'service'; available: "));
+    CHECK(contains(Solved(tubes + "sigma_max = \"=filled.states\"\n").errors(), "write filled.states.NAME.KEY"));
+  }
+
   TEST_CASE("a force whose sign does not mean tension is not a normal force without a sign") {
     const std::string crank =
         "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"50 mm\"\nl = \"500 mm\"\n"

@@ -69,6 +69,15 @@ Message member_called(const StepInput& input, std::string_view key) {
                            : say("did you mean '{1}' or '{2}'?", shown(paths[0]), shown(paths[1]));
 }
 
+/// "write filled.states.NAME.KEY": of a path that ends at a list.
+Message member_of(const StepInput& input, const std::string& path) {
+  const FieldInfo* const list = find_field(input.calculator->result->fields, path);
+  if (list == nullptr || !list->has_fields()) return {};
+  if (list->type != Type::list) return say("write {1}.{2}.KEY", input.name, path);
+  return name_in(*list) != nullptr ? say("write {1}.{2}.NAME.KEY", input.name, path)
+                                   : say("write {1}.{2}[1].KEY", input.name, path);
+}
+
 }  // namespace
 
 Fault unknown_path(const StepInput& input, const std::string& path) {
@@ -80,6 +89,7 @@ Fault unknown_path(const StepInput& input, const std::string& path) {
     for (const FieldInfo& inner : f.fields) known.push_back(std::string(f.key) + "[1]." + inner.key);
   }
   Message otherwise = member_called(input, path);
+  if (otherwise.empty()) otherwise = member_of(input, path);
   if (otherwise.empty()) otherwise = say("`loadpath describe {1}` lists them", input.calculator->id);
   for (const std::string& element : named_elements(input)) {
     known.push_back(element);

@@ -46,6 +46,7 @@ bool Inputs::evaluate_operands(std::vector<Issue>& issues, const std::set<std::s
     if (left_open.contains(operand.path)) continue;
     auto value = evaluate_operand(operand, step_.name(), known_, issues);
     sound = sound && value.has_value();
+    if (value && !operand.of_record && !is_known_somewhere(*value)) sound = has_elements(operand, issues) && sound;
     if (!value || (operand.may_be_incomplete && !is_known_somewhere(*value))) continue;
     add_computed(
         {operand.path, leaf(operand.path), std::move(*value), expression_origin(*step_.input().tables, operand)});

@@ -71,6 +71,7 @@ class Inputs {
 
  private:
   bool find_records(const std::set<std::string>& left_open, std::vector<Issue>& issues);
+  bool has_elements(const Operand& operand, std::vector<Issue>& issues) const;
   void take_word(const Taken& taken, std::vector<Issue>& issues);
   void take_list(const Taken& taken, std::vector<Issue>& issues);
   void add_computed(ComputedInput input);

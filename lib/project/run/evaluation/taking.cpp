@@ -37,17 +37,31 @@ std::string elements_in(const Known& known, const std::string& list) {
   return names;
 }
 
-/// A record of an element that the list of a solved step does not have, "shaft.bearings.left"; nothing if it has.
-std::optional<Issue> missing_element(const Known& known, const std::string& step, const Taken& record) {
-  const std::size_t dot = record.source.rfind('.');
-  const std::string list = record.source.substr(0, dot), name = record.source.substr(dot + 1);
-  if (list.find('.') == std::string::npos || !known.within(record.source).empty()) return std::nullopt;
-  const std::string elements = elements_in(known, list);
+/// Where a path names an element that the list of a solved step does not have, "shaft.bearings.left": the element.
+struct MissingElement {
+  std::string list, name;
+  std::string available;  // "left, right"
+  [[nodiscard]] Message text() const { return say("'{1}' has no '{2}'; available: {3}", list, name, available); }
+};
+
+std::optional<MissingElement> missing_element(const Known& known, const std::string& element) {
+  const std::size_t dot = element.rfind('.');
+  const std::string list = element.substr(0, dot), name = element.substr(dot + 1);
+  if (list.find('.') == std::string::npos || !known.within(element).empty()) return std::nullopt;
+  std::string elements = elements_in(known, list);
   if (elements.empty()) return std::nullopt;
-  const bool has_names = !elements.starts_with('[');
-  return Issue{place_in(record.place, record.source, dot + 1, name.size()), step + "." + record.path,
-               say("'{1}' has no '{2}'; available: {3}", list, name, elements),
-               has_names ? Message{} : say("write \"={1}[1]\", or name the elements: name = \"{2}\"", list, name),
+  return MissingElement{list, name, std::move(elements)};
+}
+
+/// A record of an element that does not exist; nothing if it does.
+std::optional<Issue> missing_record(const Known& known, const std::string& step, const Taken& record) {
+  const auto missing = missing_element(known, record.source);
+  if (!missing) return std::nullopt;
+  const bool has_names = !missing->available.starts_with('[');
+  return Issue{place_in(record.place, record.source, missing->list.size() + 1, missing->name.size()),
+               step + "." + record.path, missing->text(),
+               has_names ? Message{}
+                         : say("write \"={1}[1]\", or name the elements: name = \"{2}\"", missing->list, missing->name),
                Severity::error};
 }
 
@@ -94,12 +108,30 @@ bool Inputs::find_records(const std::set<std::string>& left_open, std::vector<Is
       has_value = has_value || left_open.contains(operand.path) || has_number(operand.path);
     }
     if (!has_any || has_value) continue;
-    if (auto missing = missing_element(known_, step_.name(), record))
+    if (auto missing = missing_record(known_, step_.name(), record))
       issues.push_back(std::move(*missing));
     else
       set_unavailable(say("'{1}' is not available: {2}", record.path, record.source));
   }
   return issues.size() == before;
+}
+
+/// A value of an element that a solved step turns out not to have, "filled.states.service.sigma_2i".
+bool Inputs::has_elements(const Operand& operand, std::vector<Issue>& issues) const {
+  for (const auto& reference : operand.expression.references()) {
+    const std::size_t list = reference.path.find('.'), element = reference.path.find('.', list + 1);
+    const std::size_t key = element == std::string::npos ? element : reference.path.find('.', element + 1);
+    if (key == std::string::npos) continue;
+    const auto missing = missing_element(known_, reference.path.substr(0, key));
+    if (!missing) continue;
+    issues.push_back({place_in(operand.place, operand.text, reference.at + element + 1, missing->name.size()),
+                      step_.name() + "." + operand.path,
+                      missing->text(),
+                      {},
+                      Severity::error});
+    return false;
+  }
+  return true;
 }
 
 void Inputs::take_word(const Taken& taken, std::vector<Issue>& issues) {

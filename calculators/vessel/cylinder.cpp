@@ -172,6 +172,7 @@ Cylinder::Result Cylinder::evaluate(const Input& in, Tracer& trace) {
   assess(in, r, in.R, make, trace_radii, trace);
   balance(in, r, trace);
   by_the_book(in, r, trace);
+  if (in.ends != Ends::ringed && !has_liquid(in)) grow_cylinder(in, r.R_m, r.sigma_o, r.sigma_M, r, trace);
   check_rings(in, r, trace);
   flat_ends(in, r, trace);
   hydrostatic_test(in, r, trace);

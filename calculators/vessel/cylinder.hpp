@@ -6,6 +6,7 @@
 // temperature, fatigue.
 #pragma once
 
+#include "calculators/vessel/growth.hpp"
 #include "calculators/vessel/lame.hpp"
 #include "calculators/vessel/modes.hpp"
 #include "lib/calculator/fields.hpp"
@@ -46,7 +47,7 @@ sigma_adm = "140 MPa"
   enum class Ends { closed, open, ringed };
   enum class Support { bottom, top };
 
-  struct Input : WallInput, Liquid, TestInput {
+  struct Input : WallInput, Liquid, TestInput, GrowthInput {
     Length R = unset<Length>;
     Ends ends = Ends::closed;
     Support support = Support::bottom;
@@ -70,9 +71,9 @@ sigma_adm = "140 MPa"
               .positive()
               .usually(0.5, 400)
               .may_be_missing()},
-      test_inputs<Input>());
+      test_inputs<Input>(), growth_inputs<Input>());
 
-  struct Result : WallResult, LameResult, TestResult {
+  struct Result : WallResult, LameResult, TestResult, GrowthResult {
     Length R_m = unset<Length>, delta_o = unset<Length>, delta_M = unset<Length>, a_r = unset<Length>;
     double w_r = unset<double>;
     Stress sigma_e = unset<Stress>;
@@ -87,7 +88,7 @@ sigma_adm = "140 MPa"
              Field{&Result::delta_o, "delta_o", mm, "analysis thickness from the hoop stress only, pR/sigma"},
              Field{&Result::delta_M, "delta_M", mm, "analysis thickness from the meridional stress only, pR/2sigma"},
              Field{&Result::a_r, "a_r", mm, "ring area per length of the vessel"}, thin_by_membrane<Result>()},
-      lame_results<Result>(), test_results<Result>(),
+      lame_results<Result>(), growth_of_cylinder<Result>(), test_results<Result>(),
       Fields{Field{&Result::sigma_e, "sigma_e", MPa, "bending stress of flat ends, at the centre"},
              Field{&Result::u_e, "u_e", ratio, "flat ends: bending stress / allowable stress"}
                  .check("delta_e")

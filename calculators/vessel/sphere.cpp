@@ -98,6 +98,7 @@ Sphere::Result Sphere::evaluate(const Input& in, Tracer& trace) {
   const auto trace_radii = [&](Length e, auto& tracer) { r.R_m = mean_radius(in.R, e, tracer); };
   const double t = assess(in, r, in.R, make, trace_radii, trace);
   r.phi = has_liquid(in) ? t * pi : unset<double>;
+  if (!has_liquid(in)) grow_sphere(in, r.R_m, r.sigma_o, r, trace);
   if (!has_liquid(in)) compare(ThickSphere{}, in, r, r.R_m, mean, trace);
   return r;
 }

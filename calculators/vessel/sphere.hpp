@@ -6,6 +6,7 @@
 // the ring and at nozzles, weight of the wall, external pressure, fatigue.
 #pragma once
 
+#include "calculators/vessel/growth.hpp"
 #include "calculators/vessel/lame.hpp"
 #include "calculators/vessel/modes.hpp"
 #include "lib/calculator/fields.hpp"
@@ -42,7 +43,7 @@ z_c = 0.85
 sigma_adm = "160 MPa"
 )";
 
-  struct Input : WallInput, Liquid {
+  struct Input : WallInput, Liquid, GrowthInput {
     Length R = unset<Length>;
     double phi_s = pi / 2;
   };
@@ -57,9 +58,10 @@ sigma_adm = "160 MPa"
            Fields{Field<Input, double>{&Input::phi_s, "phi_s", deg,
                                        "supporting ring of a sphere with liquid: angle from the top"}
                       .within(20, 160)
-                      .may_be_missing()});
+                      .may_be_missing()},
+           growth_inputs<Input>());
 
-  struct Result : WallResult, LameResult {
+  struct Result : WallResult, LameResult, GrowthResult {
     Length R_m = unset<Length>;
     double phi = unset<double>, t_M = unset<double>;
   };
@@ -67,7 +69,7 @@ sigma_adm = "160 MPa"
       join(wall_results<Result>(round_and_thin),
            Fields{Field{&Result::R_m, "R_m", mm, "mean radius at the analysis thickness"},
                   Field{&Result::phi, "phi", deg, "governing location, from the top"}, thin_by_membrane<Result>()},
-           lame_results<Result>());
+           lame_results<Result>(), growth_of_radius<Result>());
 
   static constexpr std::array rules =
       join(wall_rules<Input>(), liquid_rules<Input>(),

@@ -16,6 +16,8 @@ using namespace loadpath::test;
 
 constexpr double pi = std::numbers::pi, g = 9.81, g_n = 9.80665;
 
+#define MEMBRANE_IN_STEEL "measured = \"mean\"\nc = \"0 mm\"\nE = \"200 GPa\"\n"
+
 /// The example of a calculator with these lines has this result, in SI units.
 struct Case {
   const char* calculator;
@@ -176,6 +178,11 @@ const Case tubes[] = {
 
 const Case vessels[] = {
     {"vessel.cylinder", "delta = \"10 mm\"\nmeasured = \"mean\"\nc = \"0 mm\"\nends = \"open\"", "sigma_M", 0.0},
+    {"vessel.cylinder", MEMBRANE_IN_STEEL "delta = \"10 mm\"", "Delta_R", 0.6 * (96e6 - 0.3 * 48e6) / 200e9},
+    {"vessel.cylinder", MEMBRANE_IN_STEEL "delta = \"10 mm\"", "eps_l", (48e6 - 0.3 * 96e6) / 200e9},
+    {"vessel.cylinder", MEMBRANE_IN_STEEL "delta = \"10 mm\"", "eps_V", 2 * 4.08e-4 + 9.6e-5},
+    {"vessel.sphere", MEMBRANE_IN_STEEL "delta = \"50 mm\"", "Delta_R", 5 * 0.7 * 40e6 / 200e9},
+    {"vessel.sphere", MEMBRANE_IN_STEEL "delta = \"50 mm\"", "eps_V", 3 * 0.7 * 40e6 / 200e9},
     {"vessel.sphere", "delta = \"50 mm\"\nmeasured = \"mean\"\nc = \"0 mm\"", "sigma_o", 0.8e6 * 5 / 0.1},
     {"vessel.cone", "delta = \"10 mm\"\nrho = \nh_l = \nalpha = \"1 deg\"", "sigma_o",
      0.1e6 * 1.2 / 0.01 / std::cos(pi / 180)},

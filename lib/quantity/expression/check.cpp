@@ -102,12 +102,20 @@ class Check {
       case Operation::call:
         return call(node, kids);
       case Operation::add:
-        return like(node, kids, "{1} and {2} cannot be added");
+        return node.function == nullptr ? like(node, kids, "{1} and {2} cannot be added") : components(node, kids);
       case Operation::subtract:
         return like(node, kids, "{2} cannot be subtracted from {1}");
       default:
         return first;
     }
+  }
+
+  /// The squares that a resultant adds; a message names what was squared.
+  [[nodiscard]] static Dimensioned components(const Node& node, const Signatures& squares) {
+    Signatures sides = squares;
+    for (Signature& side : sides) side.dimension = raised(side.dimension, 0.5).value_or(side.dimension);
+    const auto same = like(node, sides, "{1} and {2} cannot be components of one resultant");
+    return same ? Dimensioned{squares.front().dimension} : same;
   }
 
   /// A power divided by an angular velocity has the dimension of a torsional stiffness, and is meant as a torque.

@@ -212,6 +212,7 @@ Node Parser::resultant(Node call) const {
     two.si = 2.0;
     Node square = within_call(joined(Operation::power, std::move(side), std::move(two)));
     sum = is_first ? std::move(square) : within_call(joined(Operation::add, std::move(sum), std::move(square)));
+    if (!is_first) sum.function = call.function;  // for messages
   }
   call.function = find_function("sqrt");
   call.kids.assign(1, std::move(sum));

@@ -58,7 +58,7 @@ struct Node {
   Dimension dimension;                 // dimension of a literal
   Meant kind = Meant::nothing;         // kind of a literal, by its unit
   std::string path;                    // path of a reference
-  const Function* function = nullptr;  // function of a call
+  const Function* function = nullptr;  // function of a call; of a sum: the one that adds squares
   std::vector<Node> kids;
 };
 

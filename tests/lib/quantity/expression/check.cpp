@@ -46,6 +46,7 @@ TEST_SUITE("quantity") {
         {"min(1 N, 2 N, 3 m)", "min(1 N, 2 N, 3 m)", "force and length cannot be compared", kind_hint},
         {"max(1, 2 N)", "max(1, 2 N)", "plain number and force cannot be compared", unit_hint},
         {"atan2(1 N, 2 m)", "atan2(1 N, 2 m)", "force and length cannot be the sides of one angle", kind_hint},
+        {"hypot(1 N, 2 m)", "hypot(1 N, 2 m)", "force and length cannot be components of one resultant", kind_hint},
     };
     for (const auto& row : rows) check_wrong(row);
   }

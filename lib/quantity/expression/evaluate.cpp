@@ -56,10 +56,14 @@ Join join_of(Operation operation) {
 
 Value called(const Node& node, const Known& known) {
   const Function& f = *node.function;
+  const bool is_reduced = f.map == nullptr && f.rule != Rule::place && node.kids.size() == 1;
+  // A reduction of a series with missing values is not available either way.
+  if (is_reduced && node.kids.front().operation == Operation::reference)
+    return single(f.reduce(known(node.kids.front().path)));
   Value value = numbers(node.kids.front(), known);
   if (f.map != nullptr) return mapped(std::move(value), f.map);
   if (f.rule == Rule::place) return single(value_at(value, constant(node.kids[1])));
-  if (node.kids.size() == 1) return single(f.reduce(value));
+  if (is_reduced) return single(f.reduce(value));
   for (std::size_t i = 1; i < node.kids.size(); ++i) {
     value = joined(std::move(value), numbers(node.kids[i], known), f.join);
   }

@@ -3,6 +3,7 @@
 #include "lib/account/rows.hpp"
 #include "lib/project/run/evaluation/left_loads.hpp"
 #include "lib/project/sweep/points/bounds.hpp"
+#include "lib/quantity/extremes/extremes.hpp"
 #include "lib/sweep/nan.hpp"
 #include "lib/sweep/statistics/lanes.hpp"
 
@@ -65,12 +66,9 @@ void ColumnParts::provide(PointColumns& points) {
 }
 
 /// The largest over the positions, refined between them.
-Extreme ColumnParts::largest_of(std::span<const double> si, std::size_t point, const Dimension& dimension) {
+Extreme ColumnParts::largest_of(std::span<const double> si, std::size_t point) const {
   if (axis == nullptr) return {si[point], 0.0, 0};
-  const auto here = si.subspan(point * positions(), positions());
-  slice.signature = {dimension, axis};
-  slice.si.assign(here.begin(), here.end());
-  return maximum(slice);
+  return maximum(SeriesView{si.subspan(point * positions(), positions()), axis});
 }
 
 /// The sizes that follow from the values at the sizes as they are now.
@@ -84,15 +82,13 @@ void ColumnParts::read_sizes(PointColumns& points, std::vector<double>& next) {
   }
   if (size->fed) {
     const ColumnInput& from = fed[*size->fed];
-    for (std::size_t point = 0; point < points.count; ++point)
-      next[point] = largest_of(from.si(), point, from.field().dimension).value;
+    for (std::size_t point = 0; point < points.count; ++point) next[point] = largest_of(from.si(), point).value;
     return;
   }
   size_rows.resize(points.count * positions());
   const ResultColumn column{*size->result, size_rows.data()};
   calculator.sweep(record.data.get(), in, {&column, 1}, size_rows.size());
-  for (std::size_t point = 0; point < points.count; ++point)
-    next[point] = largest_of(size_rows, point, size->field->dimension).value;
+  for (std::size_t point = 0; point < points.count; ++point) next[point] = largest_of(size_rows, point).value;
 }
 
 /// A strength falls with the size that it is looked up at, so the size only grows from one round to the next.
@@ -153,6 +149,8 @@ void ColumnParts::survey(PointColumns& points, std::span<const char> asked_rules
     calculator.survey(record.data.get(), in, asked_rules, applies_at, rows, points.is_other.data());
     return;
   }
+  const bool asks_rules = std::ranges::find(asked_rules, char{1}) != asked_rules.end();
+  if (applies_at.empty() && !asks_rules) return;
   other_rows.resize(rows);
   for (std::size_t point = 0; point < points.count; ++point)
     std::fill_n(other_rows.data() + point * count, count, points.is_other[point]);
@@ -238,10 +236,13 @@ void ColumnParts::check_number(Read& number, PointColumns& points) const {
 
 void ColumnParts::write(const Read& number, PointColumns& points) const {
   if (!number.is_wanted) return;
-  if (axis == nullptr)
+  if (axis == nullptr) {
     points.values[number.path] = number.si;
-  else
-    points.series[number.path] = {number.si, std::vector<double>(points.count)};
+    return;
+  }
+  SeriesColumn& series = points.series[number.path];
+  series.si = number.si;
+  series.rounding.assign(points.count, 0.0);
 }
 
 void ColumnParts::evaluate_read(std::size_t rows) {
@@ -269,9 +270,8 @@ std::span<const double> ColumnParts::worst_of(Read& number, std::size_t n) {
       sought && number.field->role == Role::check && !number.field->is_informative;  // result of a search
   for (std::size_t point = 0; point < n && !is_known; ++point) {
     const auto here = std::span(number.si).subspan(point * positions(), positions());
-    number.worst[point] = number.field->role == Role::check
-                              ? largest_of(number.si, point, number.field->dimension).value
-                              : account::farthest_from(number.field->bounds, here);
+    number.worst[point] = number.field->role == Role::check ? largest_of(number.si, point).value
+                                                            : account::farthest_from(number.field->bounds, here);
   }
   return number.worst;
 }

@@ -18,7 +18,6 @@ struct ColumnParts : ColumnPlan {
   std::vector<std::vector<Applies>> applies_over;  // the same over the positions
   std::vector<char> other_rows;                    // over the positions
   std::vector<double> sizes, next_sizes, size_rows;
-  Value slice;  // values of a series, at one point
   account::RowColumns fold;
 
   explicit ColumnParts(ColumnPlan&& plan) : ColumnPlan(std::move(plan)) {}
@@ -39,7 +38,7 @@ struct ColumnParts : ColumnPlan {
   [[nodiscard]] bool is_kept(Read& number, std::size_t point);
   void evaluate_read(std::size_t rows);
   void read_sizes(PointColumns& points, std::vector<double>& next);
-  [[nodiscard]] Extreme largest_of(std::span<const double> si, std::size_t point, const Dimension& dimension);
+  [[nodiscard]] Extreme largest_of(std::span<const double> si, std::size_t point) const;
   void run(PointColumns& points);
   void check_number(Read& number, PointColumns& points) const;
   void write(const Read& number, PointColumns& points) const;

@@ -35,7 +35,7 @@ void ColumnParts::find_first_candidates(PointColumns& points) {
   if (wanted.least != nullptr) {
     run_for_least(points);
     for (std::size_t point = 0; point < points.count; ++point) {
-      const double least = largest_of(size_rows, point, wanted.least->dimension).value;
+      const double least = largest_of(size_rows, point).value;
       const auto start = std::lower_bound(wanted.stock.begin(), wanted.stock.end(), account::least_candidate(least));
       wanted.at[point].now = static_cast<std::size_t>(start - wanted.stock.begin());
       if (std::isnan(least) || start == wanted.stock.end()) leave(points, point);
@@ -123,7 +123,7 @@ bool ColumnParts::fits(std::size_t point) {
 bool ColumnParts::is_kept(Read& number, std::size_t point) {
   const FieldInfo& field = *number.field;
   if (field.role == Role::check) {
-    const double most = largest_of(number.si, point, field.dimension).value;
+    const double most = largest_of(number.si, point).value;
     if (axis != nullptr) number.worst[point] = most;
     return account::is_kept(field, most);
   }

@@ -2,6 +2,7 @@
 
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/number/power_of_ten.hpp"
+#include "lib/simd/attributes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -119,6 +120,28 @@ void append_multiple(double number, int power, std::string& text) {
   }
 }
 
+/// To multiples of 1/power, smaller values to zero; as Decimals::nearest, in lanes. False, with the values as they
+/// were, if one of them has more digits than a double.
+LOADPATH_COLUMNS bool round_fractions(double power, double zero, std::span<double> values) {
+  double* const x = values.data();
+  std::array<double, 8> beyond{};
+  std::size_t i = 0;
+  for (; i + beyond.size() <= values.size(); i += beyond.size()) {
+    LOADPATH_LANEWISE
+    for (std::size_t lane = 0; lane < beyond.size(); ++lane)
+      beyond[lane] += std::abs(x[i + lane] * power) < most ? 0.0 : 1.0;
+  }
+  for (; i < values.size(); ++i) beyond[0] += std::abs(x[i] * power) < most ? 0.0 : 1.0;
+  if (std::ranges::any_of(beyond, [](double count) { return count != 0.0; })) return false;
+  LOADPATH_POINTWISE
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double multiple = x[k] * power;
+    const double nearest = std::trunc(multiple + std::copysign(0.5, multiple)) / power + 0.0;
+    x[k] = std::abs(x[k]) <= zero ? 0.0 : nearest;
+  }
+  return true;
+}
+
 /// Clamps to a power of ten beyond all doubles, also for zero.
 int bounded(double power) { return static_cast<int>(std::clamp(power, -400.0, 400.0)); }
 
@@ -133,21 +156,10 @@ double Decimals::nearest(double value) const {
 }
 
 void Decimals::round(std::span<double> values, double zero) const {
-  const bool is_exact = std::abs(power_) <= exact_power_of_ten;
-  const double power = powers_of_ten[static_cast<std::size_t>(is_exact ? std::abs(power_) : 0)];
-  for (double& x : values) {
-    if (std::abs(x) <= zero) {
-      x = 0.0;
-      continue;
-    }
-    const double multiple = power_ < 0 ? x * power : x / power;  // times_power_of_ten
-    if (!is_exact || !(std::abs(multiple) < most)) {
-      x = nearest(x);
-      continue;
-    }
-    const auto number = static_cast<double>(static_cast<std::int64_t>(multiple + std::copysign(0.5, multiple)));
-    x = (power_ < 0 ? number / power : number * power) + 0.0;
-  }
+  if (power_ < 0 && power_ >= -exact_power_of_ten &&
+      round_fractions(powers_of_ten[static_cast<std::size_t>(-power_)], zero, values))
+    return;
+  for (double& x : values) x = std::abs(x) <= zero ? 0.0 : nearest(x);
 }
 
 void Decimals::append_nearest(double value, std::string& text) const {

@@ -3,11 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
 using namespace loadpath;
 
@@ -70,6 +73,24 @@ TEST_SUITE("quantity") {
     CHECK(std::isnan(Decimals::within(1e-3).nearest(NAN)));
     CHECK(std::isinf(Decimals::within(1e-3).nearest(INFINITY)));
     CHECK(Decimals::within(INFINITY).nearest(2.5) == 0.0);
+  }
+
+  TEST_CASE("a column is rounded as each of its numbers, and what is below its rounding is zero") {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> mantissa(-1.0, 1.0), ten(-12.0, 9.0);
+    for (int n = 0; n < 300; ++n) {
+      const double size = std::pow(10.0, ten(random)), rounding = size * 1e-9;
+      std::vector<double> values{0.0, -0.0, 0.5 * rounding, -rounding};
+      for (int k = 0; k < 33; ++k) values.push_back(size * mantissa(random));
+      if (n % 10 == 0) values.push_back(NAN), values.push_back(1e300);  // more digits than a double
+      const Decimals decimals = Decimals::within(rounding);
+      std::vector<double> rounded = values;
+      decimals.round(rounded, rounding);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const double expected = std::abs(values[k]) <= rounding ? 0.0 : decimals.nearest(values[k]);
+        CHECK(std::bit_cast<std::uint64_t>(rounded[k]) == std::bit_cast<std::uint64_t>(expected));
+      }
+    }
   }
 
   TEST_CASE("numbers of all sizes: within half a step, read back to the bit, as short as the shortest") {

@@ -3,10 +3,12 @@
 #include "calculators/mechanism/aspects.hpp"
 #include "calculators/mechanism/results/values.hpp"
 #include "lib/mechanism/columns/cycle.hpp"
+#include "lib/mechanism/columns/largest.hpp"
 #include "lib/mechanism/proof/proof.hpp"
 #include "lib/sweep/statistics/lanes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -25,26 +27,15 @@ constexpr mechanism::Kept everything{
 constexpr mechanism::Kept sizes{
     .forces = true, .poses = true, .angles = false, .velocities = true, .accelerations = true};
 constexpr mechanism::Kept forces{.forces = true, .velocities = true};
-
-/// The largest of a number of each position, which `numbers` keeps.
-template <class Of>
-double largest_of(std::size_t positions, std::vector<double>& numbers, Of number) {
-  numbers.resize(positions);
-  for (std::size_t i = 0; i < positions; ++i) numbers[i] = number(i);
-  return std::max(0.0, sweep::largest_of(numbers));
-}
+// Positions that are read at once: few enough for the fastest cache.
+constexpr std::size_t block = 16;
 
 /// As of its positions, of a mechanism with one rotary drive whose loads stay as they are.
-Magnitudes magnitudes_of(const mechanism::Model& model, const mechanism::CycleColumns& columns,
-                         std::vector<double>& numbers) {
-  Magnitudes of;
-  const auto raise = [&](std::span<const double> x, double& most) {
-    most = std::max(most, largest_of(x.size(), numbers, [x = x.data()](std::size_t i) { return std::abs(x[i]); }));
-  };
-  const auto raise_square = [&](std::span<const double> x, std::span<const double> y, double& most) {
-    most = std::max(most, largest_of(x.size(), numbers, [x = x.data(), y = y.data()](std::size_t i) {
-                      return x[i] * x[i] + y[i] * y[i];
-                    }));
+Magnitudes magnitudes_of(const mechanism::Model& model, const mechanism::CycleColumns& columns, double force) {
+  Magnitudes of{.force = force};
+  const auto raise = [](std::span<const double> x, double& most) { most = std::max(most, mechanism::largest_size(x)); };
+  const auto raise_square = [](std::span<const double> x, std::span<const double> y, double& most) {
+    most = std::max(most, mechanism::largest_square(x, y));
   };
   for (std::size_t k = 0; k < model.links.size(); ++k) {
     raise_square(columns.pose(k).x, columns.pose(k).y, of.length);
@@ -53,10 +44,7 @@ Magnitudes magnitudes_of(const mechanism::Model& model, const mechanism::CycleCo
     raise(columns.velocity(k).phi, of.turning);
     raise(columns.acceleration(k).phi, of.angular_acceleration);
   }
-  for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    raise_square(columns.force(j).x, columns.force(j).y, of.force);
-    raise(columns.couple(j), of.couple);
-  }
+  for (std::size_t j = 0; j < model.joints.size(); ++j) raise(columns.couple(j), of.couple);
   for (const mechanism::Load& load : model.loads) {
     raise_square({&load.force.x, 1}, {&load.force.y, 1}, of.force);
     raise({&load.moment, 1}, of.couple);
@@ -79,11 +67,12 @@ bool is_plain(const Solved& solved) {
          solved.cycle.closed.size() > 1;
 }
 
-/// An aspect whose verdicts depend on numbers. The proofs hold wherever a chain keeps clear of its change points, where
-/// it keeps its assembly too.
+/// Verdicts that hold wherever a chain keeps clear of its change points: it closes, keeps its assembly, and is proved.
+constexpr std::array settled{&aspects::closing, &aspects::equations, &aspects::changes_of_assembly};
+
+/// An aspect whose verdicts depend on numbers.
 bool judges_anew(const Aspect& aspect) {
-  return aspect.judge != nullptr && aspect.find == nullptr && &aspect != &aspects::equations &&
-         &aspect != &aspects::changes_of_assembly;
+  return aspect.judge != nullptr && aspect.find == nullptr && std::ranges::find(settled, &aspect) == settled.end();
 }
 
 Verdicts judged_anew(const Solved& solved) {
@@ -94,10 +83,9 @@ Verdicts judged_anew(const Solved& solved) {
   return verdicts;
 }
 
-Verdicts proofs_of(const Solved& solved) {
+Verdicts settled_of(const Solved& solved) {
   Verdicts verdicts;
-  aspects::equations.judge(solved, verdicts);
-  aspects::changes_of_assembly.judge(solved, verdicts);
+  for (const Aspect* const aspect : settled) aspect->judge(solved, verdicts);
   return verdicts;
 }
 
@@ -123,6 +111,7 @@ std::vector<bool> heavy_links(const mechanism::Model& model) {
 struct Wanted {
   const Aspect* aspect;
   std::vector<std::string> paths;
+  bool follow_from_positions = true;  // from nothing else
 };
 
 /// The requested outputs of an aspect.
@@ -148,6 +137,7 @@ std::optional<std::vector<Wanted>> wanted_of(const Solved& solved, const std::se
       if (!asked.contains(output.path)) continue;
       if (output.read.together == nullptr) return std::nullopt;
       own.paths.push_back(output.path);
+      own.follow_from_positions = own.follow_from_positions && output.read.together->read_one != nullptr;
     }
     found += own.paths.size();
     if (!own.paths.empty()) all.push_back(std::move(own));
@@ -164,7 +154,8 @@ bool has_limits_of_places(const Mechanism::Input& in) {
 }
 
 bool read_forces_alone(const std::vector<Wanted>& all) {
-  return std::all_of(all.begin(), all.end(), [](const Wanted& own) { return own.aspect->reads_forces_alone; });
+  return std::all_of(all.begin(), all.end(),
+                     [](const Wanted& own) { return own.aspect->reads_forces_alone && own.follow_from_positions; });
 }
 
 }  // namespace
@@ -181,9 +172,11 @@ struct Ordinary::Parts {
   void take_schedule(const Mechanism::Input& in, Axis& axis);
   void set_motion(const planar::Crank& crank);
   bool run(const Mechanism::Input& in);
+  bool find_largest_reactions();
   [[nodiscard]] bool is_proved(const Mechanism::Input& in, const mechanism::Model& model);
   void find_told(const Solved& solved);
-  bool write_account(const Solved& solved, account::Account& account);
+  std::vector<std::vector<double>> read_outputs();
+  bool write_account(Solved& solved, account::Account& account);
   bool solve(const Mechanism::Input& in, const mechanism::Model& model, Axis& axis, account::Account& account);
 
   bool by_forces;  // whether all requested results follow from forces
@@ -197,7 +190,8 @@ struct Ordinary::Parts {
   Kinematics kinematics;  // no requested result reads it
   std::optional<mechanism::Prover> prover;
   std::vector<mechanism::Drive> drives;
-  std::vector<double> numbers;    // values of each position, for a moment
+  double largest_force = 0.0;     // squared
+  std::vector<double> numbers;    // of the crank, for a moment
   std::vector<double> scheduled;  // by which numbers of the crank the places were found
   std::vector<bool> heavy;        // which links have mass and inertia: what has none may be refused
   std::string step;
@@ -231,8 +225,11 @@ void Ordinary::Parts::take_schedule(const Mechanism::Input& in, Axis& axis) {
   for (const auto& at_position : schedule.drives) drives.push_back(at_position[0]);
 }
 
-/// The crank at its present places.
+/// The crank at its present places; most points leave its motion as it is.
 void Ordinary::Parts::set_motion(const planar::Crank& crank) {
+  const mechanism::Drive now = drive_of(crank, drives[0].coordinate);
+  const mechanism::Drive& before = drives[0];
+  if (now.speed == before.speed && now.acceleration == before.acceleration && now.impending == before.impending) return;
   for (std::size_t k = 0; k < drives.size(); ++k)
     drives[k] = cycle.drives[k][0] = drive_of(crank, drives[k].coordinate);
 }
@@ -240,12 +237,22 @@ void Ordinary::Parts::set_motion(const planar::Crank& crank) {
 bool Ordinary::Parts::run(const Mechanism::Input& in) {
   const bool statics = leaves_out_inertia(in);
   if (columns.solve(drives, statics) != mechanism::Status::closed || !columns.in_lanes()) return false;
+  if (!find_largest_reactions()) return false;
+  if (!by_forces) columns.read(0, everything, cycle.positions);
+  return true;
+}
+
+/// False if a force or moment is not finite.
+bool Ordinary::Parts::find_largest_reactions() {
+  std::vector<double>& largest = cycle.largest_reactions;
+  largest.assign(cycle.positions.size(), 0.0);
   bool finite = sweep::all_finite(columns.effort(0));
   for (std::size_t j = 0; j < cycle.positions[0].reactions.size(); ++j) {
-    finite = finite && sweep::all_finite(columns.force(j).x) && sweep::all_finite(columns.force(j).y) &&
+    finite = finite && mechanism::raise_to_squares(columns.force(j).x, columns.force(j).y, largest) &&
              sweep::all_finite(columns.couple(j));
   }
-  columns.read_all(by_forces ? forces : everything, cycle.positions);
+  largest_force = mechanism::largest_size(largest);
+  mechanism::take_roots(largest);
   return finite;
 }
 
@@ -269,16 +276,35 @@ void Ordinary::Parts::find_told(const Solved& solved) {
   }
 }
 
-bool Ordinary::Parts::write_account(const Solved& solved, account::Account& account) {
+/// Over all positions, a block of them after the other.
+std::vector<std::vector<double>> Ordinary::Parts::read_outputs() {
+  const std::size_t count = cycle.positions.size();
+  std::vector<std::vector<double>> values(outputs.size(), std::vector<double>(count));
+  for (std::size_t first = 0; first < count; first += block) {
+    const std::span<mechanism::Position> now(cycle.positions.data(), std::min(block, count - first));
+    columns.read(first, forces, now);
+    for (std::size_t n = 0; n < outputs.size(); ++n) {
+      const Reading& read = outputs[n].read;
+      read.together->read_one(now, read.place, std::span(values[n]).subspan(first, now.size()));
+    }
+  }
+  return values;
+}
+
+bool Ordinary::Parts::write_account(Solved& solved, account::Account& account) {
   find_told(solved);
-  const Magnitudes largest =
-      by_forces ? magnitudes_of(solved.given, columns, numbers) : planar::magnitudes_of(solved.given, solved.cycle);
+  const Magnitudes largest = by_forces ? magnitudes_of(solved.given, columns, largest_force)
+                                       : planar::magnitudes_of(solved.given, solved.cycle);
+  std::vector<std::vector<double>> values;
+  if (by_forces) {
+    values = read_outputs();
+    solved.values = &values;
+  }
   account::Account found;
   fill_results(
       outputs, outputs, solved, largest, [](const std::string&) { return true; }, found);
-  const bool known = std::all_of(found.results.begin(), found.results.end(), [](const account::Entry& entry) {
-    return std::all_of(entry.value.si.begin(), entry.value.si.end(), [](double x) { return std::isfinite(x); });
-  });
+  const bool known = std::all_of(found.results.begin(), found.results.end(),
+                                 [](const account::Entry& entry) { return sweep::all_finite(entry.value.si); });
   if (!known) return false;
   account.results = std::move(found.results);
   if (account.modes.empty()) account.modes = modes;
@@ -292,7 +318,7 @@ bool Ordinary::Parts::solve(const Mechanism::Input& in, const mechanism::Model& 
   if (has_short_segments(in)) return false;          // there may be positions to insert
   take_schedule(in, axis);
   if (drives.size() != cycle.positions.size() || !run(in)) return false;
-  const Solved solved{step, in, structure, model, model, cycle, cycle, kinematics, &axis};
+  Solved solved{step, in, structure, model, model, cycle, cycle, kinematics, &axis};
   return are_alike(judged_anew(solved), verdicts) && is_proved(in, model) && write_account(solved, account);
 }
 
@@ -305,9 +331,9 @@ std::unique_ptr<Ordinary> Ordinary::of(const Solved& solved, const account::Acco
   auto wanted = wanted_of(solved, asked);
   if (!wanted) return nullptr;
   auto parts = std::make_unique<Parts>(solved, account, std::move(*wanted));
-  const Verdicts proofs = proofs_of(solved);
-  const bool judged = parts->verdicts.size() + proofs.size() == account.verdicts.size();
-  if (!judged || !all_pass(proofs) || !all_pass(parts->verdicts)) return nullptr;
+  const Verdicts held = settled_of(solved);
+  const bool judged = parts->verdicts.size() + held.size() == account.verdicts.size();
+  if (!judged || !all_pass(held) || !all_pass(parts->verdicts)) return nullptr;
   parts->lay_cycle(solved);
   return std::unique_ptr<Ordinary>(new Ordinary(std::move(parts)));
 }

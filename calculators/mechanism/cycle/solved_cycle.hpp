@@ -32,6 +32,7 @@ struct Cycle {
   std::vector<mechanism::Position> positions;
   std::vector<std::vector<mechanism::Drive>> drives;  // with which they are solved
   std::vector<mechanism::Proof> proofs;
+  std::vector<double> largest_reactions;  // of each position, if all have forces; empty: not found yet
   std::vector<bool> closed;
   bool returns = true;  // after a full revolution, to its start
   /// By how much a turning spring is wound up then, rad.

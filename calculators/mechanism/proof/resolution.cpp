@@ -2,6 +2,7 @@
 // falls within a few degrees.
 #include "calculators/mechanism/cycle/ranges.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
+#include "lib/mechanism/columns/largest.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -25,19 +26,33 @@ double largest_reaction(const mechanism::Position& at) {
   return most;
 }
 
-/// The position of the largest reaction, where its neighbours show it as a peak of few positions.
-std::optional<std::size_t> sharp_peak(const Cycle& cycle) {
-  const std::size_t count = cycle.positions.size();
-  std::size_t top = 0;
-  std::vector<double> force(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!cycle.has_forces(k)) return std::nullopt;
+/// Of each position; empty if some have no forces.
+std::vector<double> largest_reactions(const Cycle& cycle) {
+  std::vector<double> force(cycle.positions.size());
+  for (std::size_t k = 0; k < force.size(); ++k) {
+    if (!cycle.has_forces(k)) return {};
     force[k] = largest_reaction(cycle.positions[k]);
-    if (force[k] > force[top]) top = k;
   }
+  return force;
+}
+
+struct Top {
+  std::size_t position = 0;
+  double reaction = 0.0;
+};
+
+/// The position of the largest reaction, where its neighbours show it as a peak of few positions.
+std::optional<Top> sharp_peak(const Cycle& cycle) {
+  const std::vector<double> found = cycle.largest_reactions.empty() ? largest_reactions(cycle) : std::vector<double>();
+  const std::vector<double>& force = cycle.largest_reactions.empty() ? found : cycle.largest_reactions;
+  if (force.empty()) return std::nullopt;
+  const std::size_t count = force.size();
+  const double most = mechanism::largest_size(force);
+  const auto top = static_cast<std::size_t>(std::ranges::find(force, most) - force.begin());
+  if (top == count) return std::nullopt;
   const double before = force[(top + count - 1) % count], after = force[(top + 1) % count];
-  const bool sharp = std::abs(before - 2.0 * force[top] + after) > most_bend * force[top];
-  return sharp ? std::optional(top) : std::nullopt;
+  const bool sharp = std::abs(before - 2.0 * most + after) > most_bend * most;
+  return sharp ? std::optional(Top{top, most}) : std::nullopt;
 }
 
 double largest_effort(const mechanism::Position& at) {
@@ -185,8 +200,8 @@ void judge_resolution(const Solved& solved, std::vector<account::Verdict>& verdi
   }
   const auto top = sharp_peak(solved.cycle);
   if (!top) return;
-  const Peak peak = adjacent_peak(solved, *top);
-  const double shown = largest_reaction(solved.cycle.positions[*top]);
+  const Peak peak = adjacent_peak(solved, top->position);
+  const double shown = top->reaction;
   verdicts.push_back(verdict_of(solved, say("maximum reaction between the positions / at the positions"),
                                 peak.force / shown, more_positions(solved, peak, shown, "N")));
 }

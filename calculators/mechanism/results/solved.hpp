@@ -10,6 +10,7 @@
 #include <string>
 #include <typeindex>
 #include <utility>
+#include <vector>
 
 namespace loadpath::planar {
 
@@ -42,6 +43,8 @@ struct Solved {
   const Axis* axis;  // null: one position
   Findings found = {};
   bool in_words = true;  // else texts that take time may be shorter
+  /// The values of each output over the positions, to be taken, where these are not filled; null: they are.
+  std::vector<std::vector<double>>* values = nullptr;
 };
 
 }  // namespace loadpath::planar

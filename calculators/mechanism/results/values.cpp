@@ -116,7 +116,9 @@ void fill_results(const std::vector<Output>& outputs, const std::vector<Output>&
   account.results.reserve(outputs.size());
   const auto add = [&](const Output& output, const Results& before) {
     Output::Values values({});
-    if (needed(output)) {
+    if (solved.values != nullptr) {
+      values.si = std::move((*solved.values)[account.results.size()]);
+    } else if (needed(output)) {
       values = values_of(by_path.same_of(output), solved, before, columns);
       explain_missing(solved.in, solved.cycle, values);
     }

@@ -15,7 +15,7 @@ std::size_t whole_blocks(std::size_t positions) { return (positions + lane_count
 
 bool has_motion(Status status) { return status == Status::closed || status == Status::jams; }
 
-void copy(const Lanes<lane_count>& lanes, double* to) { std::copy_n(lanes.begin(), lane_count, to); }
+void copy(const Lanes<lane_count>& lanes, double* to) { std::memcpy(to, lanes.data(), sizeof lanes); }
 
 }  // namespace
 
@@ -155,59 +155,36 @@ void CycleColumns::write_pins(std::size_t position) {
   }
 }
 
-Pose CycleColumns::frame(std::size_t column, std::size_t position) const {
-  const double* const first = &columns_[column * room_ + position];
-  return {first[0], first[room_], first[2 * room_]};
-}
-
-void CycleColumns::read(std::size_t position, const Kept& what, Position& out) const {
-  for (std::size_t k = 0; k < links_; ++k) {
-    if (what.poses) out.pose[k] = frame(first_pose_ + 3 * k, position);
-    if (what.velocities) out.velocity[k] = frame(first_velocity_ + 3 * k, position);
-    if (what.accelerations) out.acceleration[k] = frame(first_acceleration_ + 3 * k, position);
-  }
-  for (std::size_t j = 0; what.forces && j < joints_; ++j) {
-    const Pose reaction = frame(3 * j, position);
-    out.reactions[j] = {.at = {}, .force = {reaction.x, reaction.y}, .couple = reaction.phi};
-  }
-  for (std::size_t j = 0; what.pins && j < joints_; ++j) {
-    const Vectors pins = pin(j);
-    out.reactions[j].at = {pins.x[position], pins.y[position]};
-  }
-  for (std::size_t d = 0; what.forces && d < drivers_; ++d) out.effort[d] = effort(d)[position];
-  for (std::size_t n = 0; n < courses_.size(); ++n)
-    out.loads[n] = courses_[n].empty() ? LoadNow{model_.loads[n].force, model_.loads[n].moment} : courses_[n][position];
-}
-
 /// The frames of a link from its three columns.
-void CycleColumns::read_frames(std::size_t column, std::size_t link, std::vector<Pose> Position::*of,
+void CycleColumns::read_frames(std::size_t column, std::size_t link, std::size_t first, std::vector<Pose> Position::*of,
                                std::span<Position> out) const {
-  const auto [x, y, phi] = frames(column);
+  const double *const x = &columns_[column * room_ + first], *const y = x + room_, *const phi = y + room_;
   for (std::size_t k = 0; k < out.size(); ++k) (out[k].*of)[link] = {x[k], y[k], phi[k]};
 }
 
-void CycleColumns::read_all(const Kept& what, std::span<Position> out) const {
+void CycleColumns::read(std::size_t first, const Kept& what, std::span<Position> out) const {
   for (std::size_t k = 0; k < links_; ++k) {
-    if (what.poses) read_frames(first_pose_ + 3 * k, k, &Position::pose, out);
-    if (what.velocities) read_frames(first_velocity_ + 3 * k, k, &Position::velocity, out);
-    if (what.accelerations) read_frames(first_acceleration_ + 3 * k, k, &Position::acceleration, out);
+    if (what.poses) read_frames(first_pose_ + 3 * k, k, first, &Position::pose, out);
+    if (what.velocities) read_frames(first_velocity_ + 3 * k, k, first, &Position::velocity, out);
+    if (what.accelerations) read_frames(first_acceleration_ + 3 * k, k, first, &Position::acceleration, out);
   }
   for (std::size_t j = 0; what.forces && j < joints_; ++j) {
     const Vectors acting = force(j);
     const auto turning = couple(j);
     for (std::size_t k = 0; k < out.size(); ++k)
-      out[k].reactions[j] = {.at = {}, .force = {acting.x[k], acting.y[k]}, .couple = turning[k]};
+      out[k].reactions[j] = {
+          .at = {}, .force = {acting.x[first + k], acting.y[first + k]}, .couple = turning[first + k]};
   }
   for (std::size_t j = 0; what.pins && j < joints_; ++j) {
     const Vectors pins = pin(j);
-    for (std::size_t k = 0; k < out.size(); ++k) out[k].reactions[j].at = {pins.x[k], pins.y[k]};
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].reactions[j].at = {pins.x[first + k], pins.y[first + k]};
   }
   for (std::size_t d = 0; what.forces && d < drivers_; ++d) {
-    for (std::size_t k = 0; k < out.size(); ++k) out[k].effort[d] = effort(d)[k];
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].effort[d] = effort(d)[first + k];
   }
   for (std::size_t n = 0; n < courses_.size(); ++n) {
     const LoadNow same{model_.loads[n].force, model_.loads[n].moment};
-    for (std::size_t k = 0; k < out.size(); ++k) out[k].loads[n] = courses_[n].empty() ? same : courses_[n][k];
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].loads[n] = courses_[n].empty() ? same : courses_[n][first + k];
   }
 }
 
@@ -277,7 +254,7 @@ void CycleColumns::take_course(std::span<const Drive> drives, const ChainStep& s
 
 void CycleColumns::set_lanes(std::size_t first) {
   const auto load = [&](const std::vector<double>& from, Lanes<lane_count>& to) {
-    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(first), lane_count, to.begin());
+    std::memcpy(to.data(), from.data() + first, sizeof to);
   };
   for (std::size_t s = 0; s < course_.size(); ++s) {
     if (course_[s].value.empty()) continue;

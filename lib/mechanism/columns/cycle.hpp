@@ -67,11 +67,9 @@ class CycleColumns {
   [[nodiscard]] Vectors pin(std::size_t joint) const {
     return {column(first_pin_ + 2 * joint), column(first_pin_ + 2 * joint + 1)};
   }
-  /// A position as GroupSystem gives it, of a cycle that was solved in lanes: `what` of all that is kept. `out` is made
-  /// by `blank_position`.
-  void read(std::size_t position, const Kept& what, Position& out) const;
-  /// All of them.
-  void read_all(const Kept& what, std::span<Position> out) const;
+  /// Positions from the first on as GroupSystem gives them, of a cycle that was solved in lanes: `what` of all that is
+  /// kept. `out` is made by `blank_position`.
+  void read(std::size_t first, const Kept& what, std::span<Position> out) const;
   /// The first position, in full.
   [[nodiscard]] const Position& first() const { return position_; }
 
@@ -91,8 +89,7 @@ class CycleColumns {
   void write(std::size_t position, bool has_motion, bool has_forces);
   void write(std::size_t column, std::size_t position, const Pose& frame);
   void write_pins(std::size_t position);
-  [[nodiscard]] Pose frame(std::size_t column, std::size_t position) const;
-  void read_frames(std::size_t column, std::size_t link, std::vector<Pose> Position::*of,
+  void read_frames(std::size_t column, std::size_t link, std::size_t first, std::vector<Pose> Position::*of,
                    std::span<Position> out) const;
 
   bool solve_in_lanes(std::span<const Drive> drives, bool statics);

@@ -109,7 +109,7 @@ std::size_t differing_as_read(const Model& model, const CycleColumns& columns, c
   std::size_t differ = 0;
   Position read = blank_position(model);
   for (std::size_t k = 0; k < alone.positions.size(); ++k) {
-    columns.read(k, all, read);
+    columns.read(k, all, {&read, 1});
     const Position& p = alone.positions[k];
     const bool same = all_same_bits(read.pose, p.pose) && all_same_bits(read.velocity, p.velocity) &&
                       all_same_bits(read.acceleration, p.acceleration) && all_same_bits(read.tendency, p.tendency) &&

@@ -15,13 +15,18 @@ bool breaks_any(const typename C::Input& in, std::span<const char> asked, std::i
   return ((asked[rule] != 0 && !C::rules[rule].holds(in)) || ...);
 }
 
-template <class C, std::size_t... mode>
-void ask_modes(const typename C::Input& in, std::span<Applies* const> applies, std::size_t i,
-               std::index_sequence<mode...>) {
-  ((applies[mode][i] = C::modes[mode].applies(in)), ...);
+template <class C, std::size_t mode>
+void ask_mode(const typename C::Input& in, Applies* applies, std::size_t i) {
+  if (applies != nullptr) applies[i] = C::modes[mode].applies(in);
 }
 
-/// As defined by Calculator::survey: the rules and modes are known at compile time.
+template <class C, std::size_t... mode>
+void ask_modes(const typename C::Input& in, Applies* const* applies, std::size_t i, std::index_sequence<mode...>) {
+  (ask_mode<C, mode>(in, applies[mode], i), ...);
+}
+
+/// As defined by Calculator::survey: the rules and modes are known at compile time. A mode without a column is left
+/// out.
 template <class C>
 void survey(void* input, std::span<const InputColumn> in, std::span<const char> rules, std::span<Applies* const> modes,
             std::size_t count, char* other) {
@@ -32,7 +37,7 @@ void survey(void* input, std::span<const InputColumn> in, std::span<const char> 
     for (const InputColumn& column : in) std::memcpy(base + column.offset, column.si + i, sizeof(double));
     if (breaks_any<C>(point, rules, std::make_index_sequence<C::rules.size()>{})) other[i] = 1;
     if constexpr (requires { C::modes; }) {
-      if (!modes.empty()) ask_modes<C>(point, modes, i, std::make_index_sequence<C::modes.size()>{});
+      if (!modes.empty()) ask_modes<C>(point, modes.data(), i, std::make_index_sequence<C::modes.size()>{});
     }
   }
 }

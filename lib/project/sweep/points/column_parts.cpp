@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <ranges>
 
 namespace loadpath::project {
 
@@ -126,14 +127,41 @@ void ColumnParts::leave_unloaded(PointColumns& points) const {
 /// Rules, and which modes concern the part, with the inputs as they are now.
 void ColumnParts::ask(PointColumns& points, std::span<const char> asked_rules) {
   applies.resize(calculator.modes.size());
-  applies_over.resize(calculator.modes.size());
   applies_at.clear();
-  for (std::vector<Applies>& of_mode : axis == nullptr ? applies : applies_over) {
-    of_mode.assign(points.count * positions(), Applies::no);
+  for (std::vector<Applies>& of_mode : applies) {
+    of_mode.assign(points.count, Applies::no);
     applies_at.push_back(of_mode.data());
   }
+  if (axis == nullptr) return survey(points, asked_rules);
+  ask_first_positions(points);
+  applies_over.resize(applies.size());
+  applies_at.assign(open_modes.empty() ? 0 : applies.size(), nullptr);
+  for (const std::size_t mode : open_modes) {
+    applies_over[mode].assign(points.count * positions(), Applies::no);
+    applies_at[mode] = applies_over[mode].data();
+  }
   survey(points, asked_rules);
-  if (axis != nullptr) gather_modes(points);
+  gather_modes(points);
+}
+
+/// A mode that applies at one position applies at the point: most of them are known from the first one.
+void ColumnParts::ask_first_positions(const PointColumns& points) {
+  std::vector<InputColumn> first;
+  first_inputs.resize(in.size());
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    first_inputs[k].resize(points.count);
+    for (std::size_t point = 0; point < points.count; ++point) first_inputs[k][point] = in[k].si[point * positions()];
+    first.push_back({in[k].offset, first_inputs[k].data()});
+  }
+  std::vector<char> others = points.is_other;
+  calculator.survey(record.data.get(), first, no_rules, applies_at, points.count, others.data());
+  open_modes.clear();
+  for (std::size_t mode = 0; mode < applies.size(); ++mode) {
+    const auto is_open = [&](std::size_t point) {
+      return !is_other(points, point) && applies[mode][point] != Applies::yes;
+    };
+    if (std::ranges::any_of(std::views::iota(std::size_t{0}, points.count), is_open)) open_modes.push_back(mode);
+  }
 }
 
 /// Only rules: before a search nothing is assessed.
@@ -178,11 +206,9 @@ Applies applies_anywhere(std::span<const Applies> positions) {
 /// A mode applies at a point if it does at any position.
 void ColumnParts::gather_modes(const PointColumns& points) {
   const std::size_t count = positions();
-  for (std::size_t k = 0; k < applies.size(); ++k) {
-    applies[k].resize(points.count);
-    for (std::size_t point = 0; point < points.count; ++point) {
-      applies[k][point] = applies_anywhere({applies_over[k].data() + point * count, count});
-    }
+  for (const std::size_t mode : open_modes) {
+    for (std::size_t point = 0; point < points.count; ++point)
+      applies[mode][point] = applies_anywhere({applies_over[mode].data() + point * count, count});
   }
 }
 

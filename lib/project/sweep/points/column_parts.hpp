@@ -15,7 +15,9 @@ struct ColumnParts : ColumnPlan {
   std::vector<ResultColumn> out;
   std::vector<std::vector<Applies>> applies;  // applicability of each mode, point by point
   std::vector<Applies*> applies_at;
-  std::vector<std::vector<Applies>> applies_over;  // the same over the positions
+  std::vector<std::vector<Applies>> applies_over;  // of open modes over the positions
+  std::vector<std::size_t> open_modes;             // that do not apply at the first position of every point
+  std::vector<std::vector<double>> first_inputs;   // at the first position of each point
   std::vector<char> other_rows;                    // over the positions
   std::vector<double> sizes, next_sizes, size_rows;
   account::RowColumns fold;
@@ -47,6 +49,7 @@ struct ColumnParts : ColumnPlan {
   void ask(PointColumns& points, std::span<const char> asked_rules);
   void ask_rules(PointColumns& points, std::span<const char> asked_rules);
   void survey(PointColumns& points, std::span<const char> asked_rules);
+  void ask_first_positions(const PointColumns& points);
   void gather_modes(const PointColumns& points);
   void judge(const PointColumns& points, std::vector<account::ModeColumns>& modes);
   void leave_unloaded(PointColumns& points) const;

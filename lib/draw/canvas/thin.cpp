@@ -10,25 +10,22 @@ class Cone {
  public:
   Cone(Point apex, double tolerance) : apex_(apex), tolerance_(tolerance) {}
 
-  bool admits(Point p) const {
-    const double distance = length(p - apex_);
+  /// Narrows the cone to the point; false if it is outside.
+  bool admits(Point p) {
+    const Point d = p - apex_;
+    const double distance = std::sqrt(dot(d, d));
     if (distance < reach_ - tolerance_) return false;
-    if (!open_ || distance <= tolerance_) return true;
-    const double turn = turn_to(p);
-    return turn >= low_ && turn <= high_;
-  }
-  void narrow(Point p) {
-    const double distance = length(p - apex_);
+    if (distance > tolerance_) {
+      if (!open_) base_ = d, open_ = true;
+      const double turn = std::atan2(cross(base_, d), dot(base_, d)), half = std::asin(tolerance_ / distance);
+      if (turn < low_ || turn > high_) return false;
+      low_ = std::max(low_, turn - half), high_ = std::min(high_, turn + half);
+    }
     reach_ = std::max(reach_, distance);
-    if (distance <= tolerance_) return;
-    if (!open_) base_ = p - apex_, open_ = true;
-    const double turn = turn_to(p), half = std::asin(tolerance_ / distance);
-    low_ = std::max(low_, turn - half), high_ = std::min(high_, turn + half);
+    return true;
   }
 
  private:
-  double turn_to(Point p) const { return std::atan2(cross(base_, p - apex_), dot(base_, p - apex_)); }
-
   Point apex_, base_;
   double tolerance_, reach_ = 0.0, low_ = -std::numbers::pi, high_ = std::numbers::pi;
   bool open_ = false;
@@ -38,11 +35,10 @@ std::vector<Point> without_straight_parts(const std::vector<Point>& points, doub
   std::vector<Point> kept{points.front()};
   Cone cone(points.front(), tolerance);
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (!cone.admits(points[i])) {
-      kept.push_back(points[i - 1]);
-      cone = Cone(points[i - 1], tolerance);
-    }
-    cone.narrow(points[i]);
+    if (cone.admits(points[i])) continue;
+    kept.push_back(points[i - 1]);
+    cone = Cone(points[i - 1], tolerance);
+    cone.admits(points[i]);
   }
   kept.push_back(points.back());
   return kept;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace loadpath::report {
 namespace {
@@ -50,25 +51,6 @@ bool needs_no_quotes(View value, View next) {
   return !value.empty() && value.find_first_of(" \t\n\r\f\"'`=<>") == View::npos && !next.starts_with('/');
 }
 
-/// A start tag; classes without a name and the name space of SVG, which a page has anyway, are left out.
-void append_start(std::string& out, View tag) {
-  while (tag.find('=') != View::npos) {
-    const std::size_t equal = tag.find("=\"");
-    const std::size_t end = equal == View::npos ? View::npos : tag.find('"', equal + 2);
-    if (end == View::npos) break;
-    const View before = tag.substr(0, equal), value = tag.substr(equal + 2, end - equal - 2);
-    const View name = before.substr(before.rfind(' ') + 1);
-    tag.remove_prefix(end + 1);
-    if ((name == "class" && value.empty()) || name == "xmlns") {
-      out += before.substr(0, before.size() - name.size() - 1);
-    } else {
-      const View mark = needs_no_quotes(value, tag) ? "" : "\"";
-      out.append(before).append("=").append(mark).append(value).append(mark);
-    }
-  }
-  out += tag;
-}
-
 /// The end of an element whose content is not markup; 0 for other elements.
 std::size_t end_of_verbatim(View page, View name) {
   constexpr std::array<View, 3> verbatim{"script", "style", "pre"};
@@ -77,37 +59,72 @@ std::size_t end_of_verbatim(View page, View name) {
   return end == View::npos ? page.size() : end;
 }
 
+/// Copies a page but for what is left out; what is kept in between is copied in one piece.
+class Shortening {
+ public:
+  explicit Shortening(View page) : page_(page) { out_.reserve(page.size()); }
+
+  std::string whole() {
+    for (std::size_t at = page_.find('<'); at != View::npos; at = page_.find('<', at)) {
+      const std::size_t end = page_.find('>', at);
+      if (end == View::npos) break;
+      at = page_[at + 1] == '/' ? end_tag(at, end + 1) : start_tag(at, end + 1);
+    }
+    leave_out(page_.size(), page_.size());
+    return std::move(out_);
+  }
+
+ private:
+  void leave_out(std::size_t begin, std::size_t end) {
+    out_.append(page_, copied_, begin - copied_);
+    copied_ = end;
+  }
+  std::size_t end_tag(std::size_t begin, std::size_t end) {
+    const View name = page_.substr(begin + 1, end - begin - 2);
+    if (!may_be_implied(name)) return end;
+    const View following = without_blanks(page_.substr(end));
+    if (!is_implied(name, following)) return end;
+    leave_out(begin, page_.size() - following.size());
+    return copied_;
+  }
+  /// The place behind a start tag, of verbatim content behind that.
+  std::size_t start_tag(std::size_t begin, std::size_t end) {
+    const View tag = page_.substr(begin, end - begin), name = name_of_tag(tag);
+    if (begin + 1 + name.size() + 1 < end) attributes(begin, end);
+    const std::size_t verbatim = end_of_verbatim(page_.substr(begin), name);
+    if (verbatim == 0) return end;
+    if (name == "style") {
+      leave_out(end, begin + verbatim);
+      out_ += used_rules(page_.substr(end, begin + verbatim - end), page_);
+    }
+    return begin + verbatim;
+  }
+  /// Classes without a name and the name space of SVG, which a page has anyway, are left out, and quotation marks.
+  void attributes(std::size_t begin, std::size_t end) {
+    const View tag = page_.substr(0, end);
+    while (true) {
+      const std::size_t equal = tag.find("=\"", begin);
+      const std::size_t close = equal == View::npos ? View::npos : tag.find('"', equal + 2);
+      if (close == View::npos) return;
+      const std::size_t space = tag.rfind(' ', equal);
+      const View name = tag.substr(space + 1, equal - space - 1), value = tag.substr(equal + 2, close - equal - 2);
+      begin = close + 1;
+      if ((name == "class" && value.empty()) || name == "xmlns") {
+        leave_out(space, begin);
+      } else if (needs_no_quotes(value, tag.substr(begin))) {
+        leave_out(equal + 1, equal + 2);
+        leave_out(close, begin);
+      }
+    }
+  }
+
+  View page_;
+  std::string out_;
+  std::size_t copied_ = 0;
+};
+
 }  // namespace
 
-std::string compact(std::string_view page) {
-  const View whole = page;
-  std::string out;
-  out.reserve(page.size());
-  while (!page.empty()) {
-    const std::size_t begin = std::min(page.find('<'), page.size());
-    out += page.substr(0, begin);
-    page.remove_prefix(begin);
-    const std::size_t size = page.find('>');
-    if (size == View::npos) return out.append(page);
-    const View name = name_of_tag(page), tag = page.substr(0, size + 1);
-    if (name.starts_with('/')) {
-      page.remove_prefix(size + 1);
-      const View following = may_be_implied(name) ? without_blanks(page) : View();
-      if (is_implied(name, following))
-        page = following;
-      else
-        out += tag;
-      continue;
-    }
-    const std::size_t verbatim = end_of_verbatim(page, name);
-    append_start(out, tag);
-    if (verbatim > 0) {
-      const View content = page.substr(size + 1, verbatim - size - 1);
-      out += name == "style" ? used_rules(content, whole) : std::string(content);
-    }
-    page.remove_prefix(verbatim > 0 ? verbatim : size + 1);
-  }
-  return out;
-}
+std::string compact(std::string_view page) { return Shortening(page).whole(); }
 
 }  // namespace loadpath::report

@@ -11,12 +11,21 @@
 namespace loadpath::draw {
 namespace {
 
-/// Numbers of a path need a separator only before a digit or a point.
-void append_coordinate(std::string& out, double value) {
+/// Whether the text ends with a number that has a decimal point.
+bool ends_with_decimals(std::string_view text) {
+  const std::size_t last = text.find_last_not_of("0123456789");
+  return last != std::string_view::npos && text[last] == '.';
+}
+
+/// Numbers of a path need a separator only before a digit, and before a point that might belong to the number in front.
+/// `close`: without a separator before other points, which not every program expects.
+void append_coordinate(std::string& out, double value, bool close = false) {
   const bool after_command = (out.back() >= 'a' && out.back() <= 'z') || (out.back() >= 'A' && out.back() <= 'Z');
   const std::size_t at = out.size();
   append_number(out, value);
-  if (out[at] != '-' && !after_command) out.insert(at, 1, ' ');
+  const bool begins_itself =
+      out[at] == '-' || (close && out[at] == '.' && ends_with_decimals(std::string_view(out).substr(0, at)));
+  if (!begins_itself && !after_command) out.insert(at, 1, ' ');
 }
 
 /// A file may be enlarged, and other programs read it: hundredths, every attribute by its name. In a page, where a unit
@@ -155,8 +164,8 @@ class Svg {
     body_ += '"';
   }
   void coordinates(Point at) {
-    append_coordinate(body_, rounded(at.x));
-    append_coordinate(body_, rounded(at.y));
+    append_coordinate(body_, rounded(at.x), form_ == Form::page);
+    append_coordinate(body_, rounded(at.y), form_ == Form::page);
   }
   /// `dropped`: the run before is a subscript; whether this one is.
   bool add(const Run& run, bool dropped) {
@@ -184,8 +193,8 @@ class Svg {
     const bool is_level = std::fabs(by.y) < least, is_upright = std::fabs(by.x) < least;
     const char command = form_ == Form::file ? 'l' : is_level ? 'h' : is_upright ? 'v' : 'l';
     if (command != before) body_ += command;
-    if (command != 'v') append_coordinate(body_, rounded(by.x));
-    if (command != 'h') append_coordinate(body_, rounded(by.y));
+    if (command != 'v') append_coordinate(body_, rounded(by.x), form_ == Form::page);
+    if (command != 'h') append_coordinate(body_, rounded(by.y), form_ == Form::page);
     return command;
   }
   void data(const Canvas::Path& path) {

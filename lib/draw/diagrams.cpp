@@ -32,7 +32,11 @@ double name_places(const figure::Shaft& shaft, Range along, double length, doubl
 Picture diagrams(const figure::Shaft& shaft, Range along, double length, double top) {
   Picture all;
   double y = top + name_places(shaft, along, length, top, all.canvas);
-  const double first = y;
+  const double bottom = y + (gap + depth) * static_cast<double>(shaft.diagrams.size());
+  for (const figure::Shaft::Place& place : shaft.places) {  // below the titles of the diagrams
+    const double x = at(place, along, length);
+    all.canvas.line("light dash c1", {x, y + 6.0}, {x, bottom});
+  }
   for (std::size_t i = 0; i < shaft.diagrams.size(); ++i) {
     const Box area{along.low, y + gap, along.high, y + gap + depth};
     const Strip strip{area, {0.0, length}, i + 1 == shaft.diagrams.size()};
@@ -41,10 +45,6 @@ Picture diagrams(const figure::Shaft& shaft, Range along, double length, double 
     all.description += "; " + drawn.description;
     all.height = drawn.height;
     y = area.bottom;
-  }
-  for (const figure::Shaft::Place& place : shaft.places) {
-    const double x = at(place, along, length);
-    all.canvas.line("light dash c1", {x, first + 6.0}, {x, y});
   }
   return all;
 }

@@ -124,7 +124,7 @@ void PlotFrame::draw_ticks(Canvas& canvas) const {
 }
 
 void PlotFrame::draw_titles(Canvas& canvas) const {
-  canvas.text("", {4.0, area_.top - 14.0}, fitting_title(y_, up_.power));
+  canvas.text("halo", {4.0, area_.top - 14.0}, fitting_title(y_, up_.power));
   if (tells_across_) canvas.text("", {area_.right, area_.bottom + 36.0}, fitting_title(x_, across_.power), Anchor::end);
 }
 

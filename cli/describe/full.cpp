@@ -2,7 +2,7 @@
 
 #include "cli/describe/rows.hpp"
 #include "cli/describe/templates.hpp"
-#include "lib/project/parts/parts.hpp"
+#include "lib/project/parts/heading.hpp"
 #include "lib/report/appendix.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/table/library.hpp"
@@ -60,7 +60,7 @@ void show_keys(const Calculator& calculator) {
                     "reason why a typed value is more favourable than its row or record: because.KEY = \"reason\""});
   std::cout << "Further keys of the step\n"
             << terminal::columns(rows)
-            << terminal::paragraph("  The file itself may have [project] with " + joined(project::heading_keys()) +
+            << terminal::paragraph("  The file itself may have [project] with " + joined(project::heading_names()) +
                                        ", and [[expect]] with reference values.",
                                    2)
             << "\n";

@@ -6,7 +6,7 @@
 #include "cli/lsp/target.hpp"
 #include "cli/lsp/words.hpp"
 #include "lib/calculator/choice_words.hpp"
-#include "lib/project/parts/parts.hpp"
+#include "lib/project/parts/heading.hpp"
 #include "lib/table/library.hpp"
 #include "lib/table/tables.hpp"
 
@@ -90,11 +90,18 @@ Completion plain_key(const std::string& key) {
 
 /// Adds the keys of tables other than steps.
 bool add_known_keys(const Path& table, Items& items) {
-  std::vector<std::string> keys;
-  if (table == Path{"project"}) keys = project::heading_keys();
-  if (table.size() == 2 && table[0] == "expect") keys = {"value", "is", "digits", "within", "source", "note"};
-  for (const std::string& key : keys) items.push_back(plain_key(key));
-  return !table.empty() && (table[0] == "values" || table[0] == "tables" || !keys.empty());
+  if (table == Path{"project"}) {
+    for (const project::HeadingKey& known : project::heading_keys()) {
+      items.push_back(plain_key(known.key));
+      items.back().meaning = known.meaning;
+    }
+    return true;
+  }
+  const bool in_expect = table.size() == 2 && table[0] == "expect";
+  if (in_expect) {
+    for (const char* key : {"value", "is", "digits", "within", "source", "note"}) items.push_back(plain_key(key));
+  }
+  return !table.empty() && (table[0] == "values" || table[0] == "tables" || in_expect);
 }
 
 Items keys_for(const OpenFile& file, const Path& table) {

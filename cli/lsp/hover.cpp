@@ -4,6 +4,7 @@
 #include "cli/fields/words.hpp"
 #include "cli/lsp/target.hpp"
 #include "cli/lsp/words.hpp"
+#include "lib/project/parts/heading.hpp"
 #include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/table/tables.hpp"
@@ -65,7 +66,15 @@ std::string reason_text(const Target& target, const std::string& key) {
          "\n\nthe text is the reason why it is more favourable than the row or record";
 }
 
+std::string heading_text(const std::string& key) {
+  for (const project::HeadingKey& known : project::heading_keys()) {
+    if (known.key == key) return "**" + key + "**: " + known.meaning;
+  }
+  return {};
+}
+
 std::string about(const Target& target, const Path& path) {
+  if (path.size() == 2 && path[0] == "project") return heading_text(path[1]);
   if (target.field != nullptr) return field_text(target);
   if (target.calculator == nullptr || path.size() < 2) return {};
   if (target.in_because && path.size() > 2) return reason_text(target, path[2]);

@@ -1,7 +1,7 @@
 #include "lib/export/json.hpp"
 #include "lib/export/json_text.hpp"
 #include "lib/export/schema_fields.hpp"
-#include "lib/project/parts/parts.hpp"
+#include "lib/project/parts/heading.hpp"
 
 #include <boost/json.hpp>
 
@@ -116,16 +116,13 @@ json::object any_step(Calculators calculators, Definitions& definitions) {
 
 json::object heading_schema() {
   json::object properties;
-  for (const std::string& key : project::heading_keys()) properties[key] = text();
-  properties["paper"] = {{"enum", json::array{"A4", "letter"}}, {"description", "paper size of reports"}};
-  properties["report"] = {
-      {"type", "string"},
-      {"pattern", "\\.(html|md|tex|pdf)$"},
-      {"description", "report that `loadpath run` writes, relative to this file; --report takes its place"}};
-  properties["tables"] = {{"type", "array"},
-                          {"items", text()},
-                          {"description", "files with rows of the project's own, relative to this one"}};
-  properties["sweep"] = {{"type", "object"}, {"description", "results and points of `loadpath sweep`: docs/sweeps.md"}};
+  for (const project::HeadingKey& known : project::heading_keys()) properties[known.key] = text();
+  properties["paper"] = {{"enum", json::array{"A4", "letter"}}};
+  properties["report"] = {{"type", "string"}, {"pattern", "\\.(html|md|tex|pdf)$"}};
+  properties["tables"] = {{"type", "array"}, {"items", text()}};
+  properties["sweep"] = {{"type", "object"}};
+  for (const project::HeadingKey& known : project::heading_keys())
+    properties[known.key].as_object()["description"] = known.meaning;
   return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
 }
 

@@ -28,7 +28,7 @@ struct Pass {
 struct Project {
   std::string file;
   std::string title;
-  std::vector<std::pair<std::string, std::string>> meta;  // number, revision, author, checker, date, note: as typed
+  std::vector<std::pair<std::string, std::string>> meta;  // number, revision, prepared, date, note: as typed
   std::string paper = "A4";                               // paper of reports; or "letter"
   std::string report;                                     // file that a run writes, next to the project; or none
   Values values;

@@ -73,12 +73,6 @@ NamedSymbol named_symbol(std::string_view path) {
   return {path.substr(0, dot), path.substr(dot + 1)};
 }
 
-bool is_word(std::string_view name) {
-  constexpr std::size_t longest_symbol = 2;
-  const formula::Symbol symbol = formula::symbol(name);
-  return symbol.base.greek == nullptr && symbol.base.text.size() > longest_symbol;
-}
-
 bool is_symbol(const Message& head) {
   if (head.id != "{1}" || head.args.empty()) return false;
   const std::string name = head.args[0].text();

@@ -39,9 +39,6 @@ struct NamedSymbol {
 };
 NamedSymbol named_symbol(std::string_view path);
 
-/// Whether a name is a word and no symbol of the field: "roller", "force_balance"; not "tau_adm", "KA".
-bool is_word(std::string_view name);
-
 /// A heading of a table that consists of a symbol: "tau_t", "d".
 bool is_symbol(const Message& head);
 

@@ -226,7 +226,7 @@ TEST_SUITE("lsp") {
     CHECK(edit.at("range") == json::parse(R"({"start": {"line": 3, "character": 0},
       "end": {"line": 3, "character": 2}})"));
     CHECK(labels_of(completed("[a]\n|")) == std::vector<std::string>{"calculator"});
-    CHECK(has(labels_of(completed("[project]\n|")), "checker"));
+    CHECK(has(labels_of(completed("[project]\n|")), "checked"));
   }
 
   TEST_CASE("keys of elements and of templates are completed") {

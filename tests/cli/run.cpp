@@ -246,7 +246,7 @@ TEST_SUITE("cli run") {
   TEST_CASE("the user's words are escaped in reports") {
     const Desk desk;
     const std::string script = "<script>alert('x')</script>";
-    desk.put("a.toml", "[project]\ntitle = \"" + script + "\"\nauthor = \"a & b <em>\"\n" + passing + "title = \"" +
+    desk.put("a.toml", "[project]\ntitle = \"" + script + "\"\nprepared = \"a & b <em>\"\n" + passing + "title = \"" +
                            script + "\"\nnote = \"" + script + "\"\n");
     REQUIRE(desk.run({"run", "a.toml", "--report", "a.html", "--report", "a.md"}).code == 0);
     CHECK_FALSE(contains(desk.get("a.html"), "<script>alert"));

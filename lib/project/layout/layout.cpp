@@ -1,6 +1,7 @@
 #include "lib/project/layout/layout.hpp"
 
 #include "lib/project/layout/same.hpp"
+#include "lib/project/parts/heading.hpp"
 #include "lib/project/parts/parts.hpp"
 #include "lib/text/utf8.hpp"
 #include "lib/toml/text/pieces.hpp"
@@ -183,7 +184,7 @@ class Writer {
 };
 
 void sort_keys(Section& section, const Owner& owner) {
-  if (section.header == "[project]") return sort_groups(section.groups, heading_keys(), 0);
+  if (section.header == "[project]") return sort_groups(section.groups, heading_names(), 0);
   if (owner.calculator == nullptr || !owner.inner.empty() || section.header.empty()) return;
   constexpr std::size_t leading = 3;  // calculator, template, title
   sort_groups(section.groups, order_of(*owner.calculator, owner.from), leading);

@@ -19,10 +19,6 @@ namespace {
 using toml::Tree;
 
 constexpr std::array reserved{"project", "values", "tables", "expect"};
-constexpr std::array keys_of_heading{"title",    "company", "project", "load_case", "number",
-                                     "revision", "author",  "checker", "approver",  "date",
-                                     "note",     "paper",   "report",  "tables",    "sweep"};
-constexpr std::array papers{"A4", "letter"};
 const std::vector<std::string> step_keys{"calculator", "template", "title",   "note",
                                          "display",    "accept",   "because", "body"};
 
@@ -266,51 +262,11 @@ bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
   return false;
 }
 
-void read_paper(const Tree::Entry& entry, const std::string& text, Project& project, std::vector<Issue>& issues) {
-  if (std::find(papers.begin(), papers.end(), text) != papers.end()) {
-    project.paper = text;
-  } else if (!text.empty()) {
-    const std::vector<std::string> names(papers.begin(), papers.end());
-    add_error(issues, entry.value.place, "project.paper", say("unknown paper size '{1}'", text),
-              did_you_mean(text, names, there_is(names)));
-  }
-}
-
 }  // namespace
-
-std::vector<std::string> heading_keys() { return {keys_of_heading.begin(), keys_of_heading.end()}; }
 
 std::span<const char* const> reserved_names() { return reserved; }
 
 bool is_reserved(std::string_view name) { return std::find(reserved.begin(), reserved.end(), name) != reserved.end(); }
-
-void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>& issues) {
-  if (entry.value.type != Tree::Type::table) {
-    return add_error(issues, entry.place, "project",
-                     say("'{1}' is a table of fields, not {2}", "project", toml::word_for(entry.value.type)));
-  }
-  for (const Tree::Entry& e : entry.value.entries) {
-    if (std::find(keys_of_heading.begin(), keys_of_heading.end(), e.key) == keys_of_heading.end()) {
-      add_error(issues, e.place, "project." + e.key, say("'{1}' is not a valid key here", e.key),
-                did_you_mean(e.key, heading_keys()));
-      continue;
-    }
-    if (e.key == "tables") continue;  // read before the steps
-    if (e.key == "sweep") {
-      read_sweep_settings(e.value, project.sweep, issues);
-      continue;
-    }
-    const std::string text = text_of(e, "project." + e.key, issues);
-    if (e.key == "title")
-      project.title = text;
-    else if (e.key == "paper")
-      read_paper(e, text, project, issues);
-    else if (e.key == "report")
-      project.report = text;
-    else
-      project.meta.emplace_back(e.key, text);
-  }
-}
 
 /// A key that is not an input may be a result, as the centre distance of gears: it is computed, and cannot be given.
 void name_results(const StepInput& input, std::size_t before, std::vector<Issue>& issues) {

@@ -1,4 +1,4 @@
-// The parts of a project file: its heading and its steps.
+// The steps of a project file.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -10,13 +10,10 @@
 
 namespace loadpath::project {
 
-void read_heading(const toml::Tree::Entry& entry, Project& project, std::vector<Issue>& issues);
 /// The step of a table, not yet prepared; nothing if name or calculator are wrong.
 std::unique_ptr<Step> read_step(const toml::Tree::Entry& entry, const Project& project, Catalogue catalogue,
                                 std::vector<Issue>& issues);
 
-/// The keys of [project].
-std::vector<std::string> heading_keys();
 /// Words that no step can be called: commands, elements, `project`, `expect`.
 std::span<const char* const> reserved_names();
 bool is_reserved(std::string_view name);

@@ -2,6 +2,7 @@
 
 #include "lib/project/accept.hpp"
 #include "lib/project/own_tables.hpp"
+#include "lib/project/parts/heading.hpp"
 #include "lib/project/parts/parts.hpp"
 #include "lib/project/read/rows_file.hpp"
 #include "lib/project/references/idlers.hpp"

@@ -11,6 +11,7 @@
 #include "lib/report/brief/results.hpp"
 #include "lib/report/brief/sizes.hpp"
 #include "lib/report/columns.hpp"
+#include "lib/report/numbers/numbers.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -5,6 +5,7 @@
 #include "lib/report/brief/heights.hpp"
 #include "lib/report/brief/names.hpp"
 #include "lib/report/columns.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/why.hpp"
 #include "lib/report/worked.hpp"
 

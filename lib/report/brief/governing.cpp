@@ -101,11 +101,6 @@ std::string numbers_kept(std::string text) {
 
 }  // namespace
 
-std::string capitalised(std::string text) {
-  if (!text.empty() && 'a' <= text[0] && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 std::string mode_name(const Mode& mode) {
   const std::string location = location_of(mode), title = plain_title(mode);
   const bool says_so = location.empty() || title.find(location) != std::string::npos;

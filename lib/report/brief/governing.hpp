@@ -26,7 +26,5 @@ Table governing_table(const project::Project& project, const std::vector<Governi
 
 /// The title of a mode without parentheses, and where it governs: "fatigue of sections and notches, key end".
 std::string mode_name(const account::Mode& mode);
-/// With a capital letter in front.
-std::string capitalised(std::string text);
 
 }  // namespace loadpath::report

@@ -1,3 +1,5 @@
+#include "lib/project/parts/heading.hpp"
+
 #include "lib/quantity/format.hpp"
 #include "lib/report/brief/brief.hpp"
 #include "lib/report/brief/governing.hpp"
@@ -30,14 +32,6 @@ std::string parts_of(const Project& project) {
   std::string all;
   for (std::size_t i = 0; i < std::min(most, names.size()); ++i) all += (i == 0 ? "" : ", ") + names[i];
   return names.size() > most ? say("{1} and {2} more", all, std::to_string(names.size() - most)).text() : all;
-}
-
-bool is_named_in_title_block(const std::string& key) {
-  for (const char* const known :
-       {"number", "revision", "author", "checker", "approver", "date", "company", "project", "load_case"}) {
-    if (key == known) return true;
-  }
-  return false;
 }
 
 /// Modes that the headline is about: those that fail, else those that are not assessed, or outside the scope.
@@ -103,7 +97,7 @@ TitleBlock title_block(const Project& project, const Summary& summary, const std
   block.subject.push_back({say("Project"), given("project")});
   block.subject.push_back({say("Load case"), given("load_case")});
   for (const auto& [key, text] : project.meta) {
-    if (!is_named_in_title_block(key)) block.subject.push_back({say("{1}", capitalised(spoken(key))), text});
+    if (!project::is_in_title_block(key)) block.subject.push_back({say("{1}", capitalised(spoken(key))), text});
   }
   if (project.strict)
     block.subject.push_back({say("Strict"), say("modes not considered count as not assessed").text()});
@@ -112,9 +106,9 @@ TitleBlock title_block(const Project& project, const Summary& summary, const std
                   {say("Date"), given("date")},
                   {say("File"), std::filesystem::path(project.file).filename().string()},
                   {say("Input"), input.substr(0, shown_digits)}};
-  block.signatures = {{say("Prepared"), given("author"), given("date")},
-                      {say("Checked"), given("checker"), {}},
-                      {say("Approved"), given("approver"), {}}};
+  block.signatures = {{say("Prepared"), given("prepared"), given("date")},
+                      {say("Checked"), given("checked"), {}},
+                      {say("Approved"), given("approved"), {}}};
   return block;
 }
 

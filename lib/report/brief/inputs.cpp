@@ -5,6 +5,7 @@
 #include "lib/report/columns.hpp"
 #include "lib/report/why.hpp"
 #include "lib/report/worked.hpp"
+#include "lib/report/numbers/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,10 +10,9 @@ namespace {
 
 using project::Project;
 
-/// The lines at the head of the appendix.
+/// The lines at the head of the appendix; the texts of the heading are in the title block.
 void add_meta(const Project& project, const std::string& input, Document& document) {
   document.meta.emplace_back(say("Project file"), project.file);
-  for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
   if (project.strict)
     document.meta.emplace_back(say("Strict"),
                                say("failure modes not considered count as not assessed (--strict)").text());

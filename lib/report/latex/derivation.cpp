@@ -1,5 +1,6 @@
 #include "lib/formula/formula.hpp"
 #include "lib/report/latex/tex.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/worked.hpp"
 #include "lib/text/latex.hpp"
 

@@ -99,7 +99,7 @@ class Writer {
       for (const TitleBlock::Field& field : *fields)
         out += meta_line(field.name.text(), field.text.empty() ? say("not given").text() : field.text);
     }
-    Table signatures{{}, {say("part"), say("name"), say("date"), say("signature")}, {}};
+    Table signatures{{}, {Message{}, say("name"), say("date"), say("signature")}, {}};
     for (const TitleBlock::Signature& one : block.signatures)
       signatures.rows.push_back({one.role, one.name, one.date, std::string()});
     return out + "\n" + tex::table(signatures);

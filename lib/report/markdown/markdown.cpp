@@ -191,7 +191,9 @@ std::string title_block(const TitleBlock& block) {
   };
   for (const TitleBlock::Field& field : block.subject) add(field.name.text(), field.text);
   for (const TitleBlock::Field& field : block.number) add(field.name.text(), field.text);
-  for (const TitleBlock::Signature& one : block.signatures) add(one.role.text(), one.name);
+  constexpr const char* line_to_sign = "____________________";
+  for (const TitleBlock::Signature& one : block.signatures)
+    out += "- " + text(one.role.text()) + ": " + (one.name.empty() ? line_to_sign : text(one.name)) + "\n";
   return out + "\n";
 }
 

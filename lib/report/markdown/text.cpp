@@ -1,5 +1,6 @@
 #include "lib/report/markdown/text.hpp"
 
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/text/utf8.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "lib/report/numbers/numbers.hpp"
 
+#include "lib/formula/names.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -82,6 +83,17 @@ std::string utilisation_text(double utilisation) {
 std::string spoken(std::string name) {
   std::ranges::replace(name, '_', ' ');
   return name;
+}
+
+bool is_word(std::string_view name) {
+  constexpr std::size_t longest_symbol = 2;
+  const formula::Symbol symbol = formula::symbol(name);
+  return symbol.base.greek == nullptr && symbol.base.text.size() > longest_symbol;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && 'a' <= text[0] && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
 }
 
 }  // namespace loadpath::report

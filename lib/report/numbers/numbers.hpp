@@ -4,6 +4,7 @@
 #include "lib/account/cell.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace loadpath::report {
 
@@ -19,5 +20,9 @@ std::string short_pair(const account::Quantity& demand, const account::Quantity&
 std::string utilisation_text(double utilisation);
 /// A name of the file as a text has it: "left seat" of "left_seat".
 std::string spoken(std::string name);
+/// Whether a name is a word and no symbol of the field: "roller", "force_balance"; not "tau_adm", "KA".
+bool is_word(std::string_view name);
+/// With a capital letter in front.
+std::string capitalised(std::string text);
 
 }  // namespace loadpath::report

@@ -1,6 +1,7 @@
 #include "lib/report/sweep/sweep.hpp"
 
 #include "lib/quantity/format.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/sweep/charts.hpp"
 #include "lib/report/sweep/designs.hpp"
 #include "lib/report/sweep/shares.hpp"
@@ -228,7 +229,7 @@ Document sweep_document(const Project& project, const SweepPlan& plan, const Swe
   Document document;
   document.title = project.title.empty() ? project.file : project.title;
   document.meta.emplace_back(say("Project file"), project.file);
-  for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
+  for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", capitalised(spoken(key))), value);
   document.meta.emplace_back(say("Points"), number(found.points()));
   if (is_sample(plan)) document.meta.emplace_back(say("Seed"), number(project.sweep.seed));
   document.program = program;

@@ -132,6 +132,18 @@ a.toml:3:10: error: 'project.author' takes a text, not a number
     CHECK(project.meta == std::vector<std::pair<std::string, std::string>>{{"number", "7"}});
   }
 
+  TEST_CASE("the people who sign have the words of the report; their earlier names are read, too") {
+    const std::string step = axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n";
+    const auto project = solved("[project]\nauthor = \"Lin\"\nchecked = \"Ada\"\n" + step);
+    CHECK(project.meta == std::vector<std::pair<std::string, std::string>>{{"prepared", "Lin"}, {"checked", "Ada"}});
+    CHECK(issues_of("[project]\nauthor = \"Lin\"\nprepared = \"Ada\"\n" + step) ==
+          R"(a.toml:3:1: error: 'prepared' is given twice, once by its earlier name
+3 | prepared = "Ada"
+  | ^^^^^^^^
+  = help: keep 'prepared'
+)");
+  }
+
   TEST_CASE("more tables than a project can have are refused before they are read") {
     std::string text;
     for (int i = 0; i < 100001; ++i) text += "[s" + std::to_string(i) + "]\ncalculator = \"shaft.torsion\"\n";

@@ -120,8 +120,8 @@ struct Joint {
           .as_array()
           .may_be_missing(),
       Field{&Joint::direction, "direction", deg,
-            "of the guide, slot or rack through the second link's point, or of its profile's x axis, in that link's "
-            "axes"},
+            "direction of the guide, slot or rack through the second link's point, or of its profile's x axis, in that "
+            "link's axes"},
       Field{&Joint::angle, "angle", deg,
             "prismatic, rigid: angle of the first link relative to the second; omitted: as assembled"}
           .may_be_missing(),

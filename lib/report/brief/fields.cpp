@@ -31,7 +31,7 @@ std::vector<Message> lines_of(const std::vector<Gap>& gaps) {
   std::vector<Message> lines;
   for (const Gap& gap : gaps) {
     const std::string modes = modes_text(gap);
-    lines.push_back(gap.action.empty() ? say("{1}.", modes) : say("{1}: {2}.", modes, gap.action));
+    lines.push_back(gap.action.spoken.empty() ? say("{1}.", modes) : say("{1}: {2}.", modes, gap.action.spoken));
   }
   return lines;
 }
@@ -138,7 +138,7 @@ Panel not_considered(const Summary& summary) {
   if (open.others > 0) text += (text.empty() ? "" : "; ") + rest_of_modes(open, !text.empty());
   std::vector<Message> lines{say("{1}.", capitalised(text))};
   for (std::size_t i = 0; i < std::min(most_hints, open.hints.size()); ++i)
-    lines.push_back(say("{1}.", capitalised(open.hints[i])));
+    lines.push_back(say("{1}.", capitalised(open.hints[i].spoken)));
   return field(say("Not considered"), {}, std::move(lines));
 }
 

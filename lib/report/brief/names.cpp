@@ -109,6 +109,15 @@ std::string origin_step(const std::string& text) {
 
 }  // namespace
 
+namespace {
+
+/// "template slider crank"
+std::string spoken_template(const Message& origin) {
+  return origin.id == "template {1}" ? spoken(origin.text()) : origin.text();
+}
+
+}  // namespace
+
 std::string short_value(const Entry& entry) {
   constexpr int digits = 5;
   if (!entry.word.empty()) return entry.origin.sources.empty() ? spoken(entry.word) : entry.word;
@@ -132,7 +141,7 @@ bool comes_from_step(const Entry& entry) {
 }
 
 std::string short_origin(const Entry& entry) {
-  std::string text = entry.origin.text.text();
+  std::string text = spoken_template(entry.origin.text);
   text.resize(std::min({text.size(), text.find("; "), text.find(", "), text.find(": "), text.find(" with ")}));
   if (text.starts_with(say("given").text())) return say("given").text();
   const std::string step = origin_step(text);

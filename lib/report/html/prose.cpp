@@ -52,8 +52,10 @@ std::string with_subscript(std::string_view word) {
 
 /// The end of a word; the second index of "p_adm,1" and of "x_d,k" belongs to it.
 std::size_t end_of_word(std::string_view text, std::size_t begin) {
+  constexpr std::string_view negative = "_\u2212";  // of a fatigue limit, "σ_−1"
   std::size_t end = begin;
-  while (end < text.size() && is_of_symbol(text[end])) ++end;
+  while (end < text.size() && (is_of_symbol(text[end]) || (end > begin && text.substr(end - 1).starts_with(negative))))
+    ++end;
   const auto is_digit = [&](std::size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
   const auto is_index = [&](std::size_t at) {
     const bool is_letter = at < text.size() && text[at] >= 'a' && text[at] <= 'z';

@@ -1,3 +1,4 @@
+#include "lib/formula/formula.hpp"
 #include "lib/report/numbers/numbers.hpp"
 #include "lib/report/summary/summary.hpp"
 
@@ -21,8 +22,30 @@ std::string taken_by(const project::Step& step, const std::string& key) {
   return taken == records.end() ? "" : taken->source;
 }
 
+enum class Wording { typed, spoken };
+
+/// "the allowable deflection v_adm": its meaning without remarks, and its symbol.
+std::string spoken_input(const project::Step& step, const std::string& key) {
+  const FieldInfo* const field = find_field_at(step.input().calculator->input->fields, key);
+  if (field == nullptr) return key;
+  std::string meaning = say("{1}", field->doc).text();
+  meaning.resize(
+      std::min({meaning.size(), meaning.find(" ("), meaning.find(':'), meaning.find(';'), meaning.find(", ")}));
+  const std::string text = say("the {1}", meaning).text();
+  return is_word(field->key) ? text : text + " " + formula::symbol_plain(field->key);
+}
+
+/// The inputs that a mode waits for.
+std::string wanted_inputs(const project::Project& project, const Mode& mode, Wording wording) {
+  const project::Step* const step = project.find(mode.step);
+  if (wording == Wording::typed || step == nullptr) return mode.wants;
+  std::string all;
+  for (const std::string& key : listed_keys(mode.wants)) all += (all.empty() ? "" : ", ") + spoken_input(*step, key);
+  return all;
+}
+
 /// The step to add, or that of its calculator which the project has already: not one that assesses another part.
-std::string step_to_add(const project::Project& project, const Mode& mode) {
+std::string step_to_add(const project::Project& project, const Mode& mode, Wording wording) {
   const std::string id = mode.judge.empty() ? mode.add : mode.judge;
   if (id.empty()) return {};
   const std::string key = mode.takes.substr(0, mode.takes.find(' '));
@@ -30,11 +53,13 @@ std::string step_to_add(const project::Project& project, const Mode& mode) {
     if (step->input().calculator->id != id || step->name() == mode.step) continue;
     if (mode.takes.empty()) return say("assess it in step '{1}' ({2})", step->name(), id).text();
     const std::string taken = taken_by(*step, key);
+    if (taken.empty() && wording == Wording::spoken)
+      return say("assess it in {1} ({2})", spoken(step->name()), id).text();
     if (taken.empty()) return say("let {1} take {2}", step->name(), mode.takes).text();
     if (mode.takes.find("\"=" + taken + "\"") != std::string::npos) return say("see {1}", step->name()).text();
   }
-  return mode.takes.empty() ? say("add a step of {1}", id).text()
-                            : say("add a step of {1} with {2}", id, mode.takes).text();
+  return mode.takes.empty() || wording == Wording::spoken ? say("add a step of {1}", id).text()
+                                                          : say("add a step of {1} with {2}", id, mode.takes).text();
 }
 
 /// Whether the mode waits for the reason of a value; its note says why the value is doubted.
@@ -84,7 +109,7 @@ std::string result_without(const project::Project& project, const Mode& mode) {
 }
 
 /// The remedy for a mode that is not assessed.
-std::string action_of(const project::Project& project, const Mode& mode) {
+std::string action_of(const project::Project& project, const Mode& mode, Wording wording) {
   if (mode.state == State::not_covered || mode.state == State::not_available) {
     if (!mode.note.empty()) return mode.note.text();
     const std::string range = mode.state == State::not_covered ? out_of_range(project, mode) : "";
@@ -93,9 +118,9 @@ std::string action_of(const project::Project& project, const Mode& mode) {
     return mode.use.empty() ? what : say("{1}; replace with a step of {2}", what, mode.use).text();
   }
   if (waits_for_reason(mode)) return mode.note.text();
-  const std::string add = step_to_add(project, mode);
-  if (!mode.wants.empty() && add.empty()) return say("give {1}{2}", mode.wants, result_without(project, mode)).text();
-  if (!mode.wants.empty()) return say("give {1}, or {2}", mode.wants, add).text();
+  const std::string add = step_to_add(project, mode, wording), wanted = wanted_inputs(project, mode, wording);
+  if (!wanted.empty() && add.empty()) return say("give {1}{2}", wanted, result_without(project, mode)).text();
+  if (!wanted.empty()) return say("give {1}, or {2}", wanted, add).text();
   if (!add.empty()) return add;
   if (!mode.use.empty()) return say("replace with a step of {1}", mode.use).text();
   return account::reason(mode).text();
@@ -133,8 +158,15 @@ std::vector<std::string> names_with_steps(const std::vector<std::pair<std::strin
   return names;
 }
 
-void add_hint(const std::string& hint, std::vector<std::string>& hints) {
-  if (!hint.empty() && std::ranges::find(hints, hint) == hints.end()) hints.push_back(hint);
+void add_hint(Remedy hint, std::vector<Remedy>& hints) {
+  if (!hint.typed.empty() && std::ranges::find(hints, hint.typed, &Remedy::typed) == hints.end())
+    hints.push_back(std::move(hint));
+}
+
+/// In both wordings.
+template <class Text>
+Remedy remedy(const Text& text) {
+  return {text(Wording::typed), text(Wording::spoken)};
 }
 
 /// The modes that a step in place of this one would assess.
@@ -159,17 +191,24 @@ std::string replacing(const project::Project& project, const Modes& modes) {
   return say("replace {1} ({2})", first, names).text();
 }
 
-std::vector<std::string> hints_of(const project::Project& project, const Modes& sorted, bool several) {
-  std::vector<std::string> hints;
+std::vector<Remedy> hints_of(const project::Project& project, const Modes& sorted, bool several) {
+  std::vector<Remedy> hints;
   for (const Mode& mode : sorted) {
     if (mode.state != State::open || mode.wants.empty()) continue;
-    const std::string step = several ? spoken(mode.step) + ", " : "";
-    add_hint(say("give {1} ({2}{3})", mode.wants, step, account::short_title(mode)).text(), hints);
+    const std::string step = several ? spoken(mode.step) + ", " : "", title = account::short_title(mode);
+    add_hint(remedy([&](Wording wording) {
+               return say("give {1} ({2}{3})", wanted_inputs(project, mode, wording), step, title).text();
+             }),
+             hints);
   }
-  add_hint(replacing(project, sorted), hints);
+  add_hint(remedy([&](Wording) { return replacing(project, sorted); }), hints);
   for (const Mode& mode : sorted) {
-    if (mode.state != State::open || !mode.wants.empty() || step_to_add(project, mode).empty()) continue;
-    add_hint(say("{1} ({2})", step_to_add(project, mode), account::short_title(mode)).text(), hints);
+    if (mode.state != State::open || !mode.wants.empty()) continue;
+    if (step_to_add(project, mode, Wording::typed).empty()) continue;
+    add_hint(remedy([&](Wording wording) {
+               return say("{1} ({2})", step_to_add(project, mode, wording), account::short_title(mode)).text();
+             }),
+             hints);
   }
   return hints;
 }
@@ -205,13 +244,15 @@ std::vector<Gap> gaps_of(const project::Project& project, const Modes& modes, Gr
     if (mode.subject == account::Subject::search || follows_from_search(modes, mode)) continue;
     const bool is_check = mode.subject == account::Subject::input && group == Group::needs_input;
     if (!is_check && (mode.subject != account::Subject::mode || account::group_of(mode) != group)) continue;
-    const std::string action = group == Group::needs_input ? action_of(project, mode) : spoken(mode.step);
-    auto known = std::ranges::find(gaps, action, &Gap::action);
+    const Remedy action = remedy([&](Wording wording) {
+      return group == Group::needs_input ? action_of(project, mode, wording) : spoken(mode.step);
+    });
+    auto known = std::ranges::find(gaps, action.typed, [](const Gap& gap) { return gap.action.typed; });
     if (known == gaps.end()) known = gaps.insert(gaps.end(), {{}, action});
     add_title(*known, mode);
   }
   if (group != Group::needs_input) {
-    for (Gap& gap : gaps) gap.action.clear();
+    for (Gap& gap : gaps) gap.action = {};
   }
   return gaps;
 }

@@ -127,12 +127,30 @@ std::string sized_text(const Entry& entry) {
 
 }  // namespace
 
+namespace {
+
+/// "segment 1" of "segments[1]": an element without a name.
+std::string numbered_element(const std::string& element) {
+  const std::size_t bracket = element.find('[');
+  if (bracket == std::string::npos || !element.ends_with(']')) return element;
+  std::string noun = element.substr(0, bracket);
+  if (noun.ends_with("ies"))
+    noun.replace(noun.size() - 3, 3, "y");
+  else if (noun.ends_with("sses") || noun.ends_with("xes"))
+    noun.resize(noun.size() - 2);
+  else if (noun.ends_with('s'))
+    noun.pop_back();
+  return noun + " " + element.substr(bracket + 1, element.size() - bracket - 2);
+}
+
+}  // namespace
+
 std::string owner_of(const std::string& path) {
   const std::size_t last = path.rfind('.');
   if (last == std::string::npos) return {};
   const std::string element = path.substr(0, last);
   const std::size_t dot = element.rfind('.');
-  return spoken(dot == std::string::npos ? element : element.substr(dot + 1));
+  return spoken(numbered_element(dot == std::string::npos ? element : element.substr(dot + 1)));
 }
 
 std::vector<std::string> given_sizes(const Step& step) {

@@ -33,10 +33,16 @@ struct FailedSearch {
   std::vector<account::TriedSize> tried;  // the candidates next to it; empty where sizes are searched together
 };
 
+/// One thing to do: as it is typed, "give seats[].beta_adm", and for readers of a report, "give the allowable slope of
+/// the shaft there β_adm".
+struct Remedy {
+  std::string typed, spoken;
+};
+
 /// One thing to do, and the modes that it would let be assessed.
 struct Gap {
   std::vector<std::pair<std::string, std::vector<std::string>>> modes;  // by step
-  std::string action;  // "add a step of fatigue.cycle with cycle = "=rod.cycle""
+  Remedy action;
 };
 
 /// Modes that were not considered.
@@ -44,7 +50,7 @@ struct NotConsidered {
   std::vector<std::string> names;  // strength modes, with their steps if there are several: "belt slip (belts)"
   std::size_t others = 0;
   std::vector<std::string> other_names;  // titles of the others, in the same way
-  std::vector<std::string> hints;        // "give mu (belts, belt slip)"
+  std::vector<Remedy> hints;             // "give mu (belts, belt slip)"
 };
 
 struct Summary {

@@ -39,7 +39,7 @@ void add_gaps(const std::vector<Gap>& gaps, std::size_t most, const char* headin
   if (gaps.empty()) return;
   add(lines, heading, look, 2);
   for (const Gap& gap : std::span(gaps).first(std::min(most, gaps.size())))
-    add(lines, "  " + report::modes_text(gap) + (gap.action.empty() ? "" : " -> " + gap.action), look, 4);
+    add(lines, "  " + report::modes_text(gap) + (gap.action.typed.empty() ? "" : " -> " + gap.action.typed), look, 4);
   add_rest(gaps.size() - std::min(most, gaps.size()), lines);
 }
 
@@ -149,8 +149,8 @@ Lines open_lines(const Summary& summary, const Limits& limits, const Look& look)
   Lines lines;
   add(lines, "Not considered: " + text, look, 2);
   std::string hints;
-  for (const std::string& hint : std::span(open.hints).first(std::min(limits.of(Limits::hints), open.hints.size())))
-    hints += (hints.empty() ? "  " : "; ") + hint;
+  for (const report::Remedy& hint : std::span(open.hints).first(std::min(limits.of(Limits::hints), open.hints.size())))
+    hints += (hints.empty() ? "  " : "; ") + hint.typed;
   if (!hints.empty()) add(lines, hints, look, 0);
   dim(lines);
   return lines;

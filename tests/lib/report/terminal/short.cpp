@@ -165,7 +165,7 @@ tau_adm = "30 MPa"
 )",
                                                             "a.toml"));
     const auto adds = [](const report::Gap& gap) {
-      return gap.action == "add a step of fatigue.cycle with cycle = \"=shaft.cycle\"";
+      return gap.action.typed == "add a step of fatigue.cycle with cycle = \"=shaft.cycle\"";
     };
     CHECK(std::any_of(driven.gaps.begin(), driven.gaps.end(), adds));
   }
@@ -178,7 +178,7 @@ F_r = "2 kN"
 n = "950 rpm"
 )",
                                                              "a.toml"));
-    const auto tells = [](const report::Gap& gap) { return gap.action.starts_with("give L_h, L_m (L_nh = "); };
+    const auto tells = [](const report::Gap& gap) { return gap.action.typed.starts_with("give L_h, L_m (L_nh = "); };
     CHECK(std::any_of(bearing.gaps.begin(), bearing.gaps.end(), tells));
   }
 
@@ -218,7 +218,7 @@ R_e_k = "420 MPa"
 )",
                                                          "a.toml"));
     const auto tells = [](const report::Gap& gap) {
-      return gap.action.starts_with("method not valid: x_l = 1.7, covered from 0 to 1.3: effective key length");
+      return gap.action.typed.starts_with("method not valid: x_l = 1.7, covered from 0 to 1.3: effective key length");
     };
     CHECK(std::any_of(key.gaps.begin(), key.gaps.end(), tells));
   }

@@ -273,8 +273,9 @@ TEST_SUITE("report of one machine") {
   }
 
   TEST_CASE("the title block has the texts of the project") {
-    const Document document = brief_of(solved(
-        "line-shaft", "company = \"Seiler & Co\"\nload_case = \"start\"\napprover = \"Ada\"\ndate = \"2026-11-28\"\n"));
+    const Document document = brief_of(solved("line-shaft",
+                                              "company = \"Seiler & Co\"\nload_case = \"start\"\nprepared = "
+                                              "\"Lin\"\napproved = \"Ada\"\ndate = \"2026-11-28\"\n"));
     const auto text = [&](const char* name) {
       for (const auto* const fields : {&document.heading.subject, &document.heading.number}) {
         for (const auto& field : *fields) {
@@ -288,13 +289,31 @@ TEST_SUITE("report of one machine") {
     CHECK(text("Date") == "2026-11-28");
     CHECK(text("Project") == "");
     CHECK(text("File") == "project.toml");
-    CHECK(document.heading.signatures.back().name == "Ada");
+    REQUIRE(document.heading.signatures.size() == 3);
+    CHECK(document.heading.signatures[0].name == "Lin");
+    CHECK(document.heading.signatures[0].date == "2026-11-28");
+    CHECK(document.heading.signatures[1].name == "");
+    CHECK(document.heading.signatures[2].name == "Ada");
+    const std::string text_format = report::markdown(document, "x").text;
+    CHECK(contains(text_format, "- Prepared: Lin\n- Checked: ____________________\n- Approved: Ada\n"));
+    CHECK(contains(report::html(document), "<th scope=\"row\">Approved</th><td>Ada</td>"));
+    CHECK(contains(report::latex(document), "Prepared & Lin & 2026-11-28 &"));
   }
 
   TEST_CASE("the first sentence names the modes that prevent the verdict") {
     const std::string text = brief_of(solved("gearbox-shaft", "", "S_Hmin = 1.1\n")).finding.text.text();
     CHECK(contains(plain(text), "pitting, gear 1 (gears); pitting, gear 2 (gears)"));
     CHECK(contains(text, "highest utilisation 0.961: key, bearing pressure, hub keyway."));
+  }
+
+  TEST_CASE("an input that would let a mode be assessed has its meaning and symbol on page 1") {
+    const Document document = brief_of(machine("toggle-press"));
+    const Panel* const open = panel_of(document, "Not considered");
+    REQUIRE(open != nullptr);
+    std::string all;
+    for (const auto& block : open->blocks) all += std::get<account::Paragraph>(block).text.text() + " ";
+    CHECK(contains(all, "Give the allowable shaft slope at the component \u03B2_adm (shaft, "));
+    CHECK_FALSE(contains(all, "seats[]"));
   }
 
   TEST_CASE("one step with few formulas is one page") {

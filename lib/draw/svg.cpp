@@ -16,6 +16,11 @@ std::string svg(const figure::Figure& figure) {
   return svg_file(shaft == nullptr ? picture(figure) : picture_in_file(*shaft), say(figure.caption).text());
 }
 
+double proportion(const figure::Figure& figure) {
+  const Picture drawn = picture(figure);
+  return drawn.height / drawn.width;
+}
+
 std::string svg_in_page(const figure::Figure& figure) { return svg_part(picture(figure), say(figure.caption).text()); }
 
 }  // namespace loadpath::draw

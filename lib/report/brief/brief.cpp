@@ -1,5 +1,6 @@
 #include "lib/report/brief/brief.hpp"
 
+#include "lib/draw/page.hpp"
 #include "lib/report/brief/derivations.hpp"
 #include "lib/report/brief/fields.hpp"
 #include "lib/report/brief/figures.hpp"
@@ -14,7 +15,6 @@
 #include "lib/report/numbers/numbers.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <utility>
 
@@ -53,6 +53,7 @@ class Pages {
   Band inputs_in_columns();
   void add_diagrams(Page& page);
   bool takes(const Panel& panel);
+  bool takes_most(Panel& panel);
   void add_recomputing(std::vector<Page>& pages);
   void add_derivations(double height, Page& page) const;
   [[nodiscard]] Panel sizes(std::size_t most_lines) const;
@@ -63,7 +64,6 @@ class Pages {
   [[nodiscard]] bool is_figure_compact() const;
   void add_main(double room, Page& page);
   void add_figure(const StepFigure& figure, bool whole, Panel& panel);
-  void name_step(const StepFigure& figure, figure::Figure& shown) const;
   void name_shaft(const StepFigure& figure, Panel& panel) const;
   void add_shafts(Page& page);
   [[nodiscard]] const project::Step* main_step() const { return main_.empty() ? nullptr : main_.back().step; }
@@ -91,22 +91,9 @@ bool Pages::is_short() const {
   return height > 0.0 && height <= most_height;
 }
 
-/// Where figures of several steps have the same caption, each names its step.
-void Pages::name_step(const StepFigure& figure, figure::Figure& shown) const {
-  const auto is_alike = [&](const auto& other) {
-    return std::ranges::any_of(other->account().figures, [&](const figure::Figure& of_other) {
-      return other.get() != figure.step && of_other.caption == figure.figure->caption;
-    });
-  };
-  if (shown.caption.empty() || std::ranges::none_of(project_.steps, is_alike)) return;
-  std::string caption = say(shown.caption).text();
-  caption.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(caption.front())));
-  shown.caption = say("{1}: {2}", capitalised(component_name(*figure.step)), caption).text();
-}
-
 void Pages::add_figure(const StepFigure& figure, bool whole, Panel& panel) {
   figure::Figure shown = whole ? marked(figure) : in_brief(outlined(project_, marked(figure), *figure.step));
-  name_step(figure, shown);
+  name_step(project_, figure, shown);
   panel.blocks.emplace_back(std::move(shown));
   if (whole || is_brief(*figure.figure)) shown_.insert(figure.figure);
 }
@@ -278,15 +265,18 @@ Band Pages::inputs_in_columns() {
 
 /// Inputs at the left, at the right the diagrams.
 Band Pages::inputs_and_diagrams() {
-  constexpr double next_to_tall = 150.0, next_to_others = 128.0, alone = 90.0;  // mm
+  constexpr double next_to_others = 128.0, alone = 90.0, heading = 8.0, caption = 10.0;  // mm
   if (are_diagrams_shown_ && further_.empty()) return inputs_in_columns();
   const bool has_tall = !further_.empty() && has_diagrams(*further_.front().figure);
   const std::size_t per_row = has_tall ? 1 : 2;
-  const double height = has_tall ? next_to_tall : further_.size() > 1 ? next_to_others : alone;
+  const double height = has_tall ? heading + other_half * draw::proportion(*further_.front().figure) + caption
+                        : further_.size() > 1 ? next_to_others
+                                              : alone;
   Panel inputs{say("Input data"), {}, {inputs_table(project_, rows_, height)}};
   Panel figures{say("Diagrams"), {}, {}};
   for (std::size_t i = 0; i < std::min(per_row, further_.size()); ++i) add_figure(further_[i], true, figures);
-  rest_ = page_height - height;
+  constexpr double of_estimates = 10.0;  // mm; the height of a shaft with its diagrams is no estimate
+  rest_ = page_height - height + (has_tall ? of_estimates : 0.0);
   Band band{{half, {std::move(inputs)}}};
   if (!figures.blocks.empty()) band.push_back({other_half, {std::move(figures)}});
   return band;
@@ -303,6 +293,20 @@ bool Pages::takes(const Panel& panel) {
   return true;
 }
 
+/// Takes the height of a table, or of the rows that matter most.
+bool Pages::takes_most(Panel& panel) {
+  constexpr std::size_t fewest = 5;
+  auto& table = std::get<Table>(panel.blocks.front());
+  for (std::size_t rows = table.rows.size(); rows >= fewest; --rows) {
+    Panel part = panel;
+    part.blocks.front() = most_utilised_rows(table, rows);
+    if (!takes(part)) continue;
+    panel = std::move(part);
+    return true;
+  }
+  return false;
+}
+
 Page Pages::checking() {
   constexpr std::size_t most_results = 40;
   Page page;
@@ -313,7 +317,7 @@ Page Pages::checking() {
   }
   if (const project::Step* const step = main_step()) {
     for (Panel& panel : list_panels(*step, summary_.modes)) {
-      if (takes(panel)) page.bands.push_back(across(std::move(panel)));
+      if (takes_most(panel)) page.bands.push_back(across(std::move(panel)));
     }
     for (Panel& panel : load_panels(*step)) {
       if (takes(panel)) page.bands.push_back(across(std::move(panel)));

@@ -2,8 +2,10 @@
 
 #include "lib/figure/chart.hpp"
 #include "lib/figure/drawing.hpp"
+#include "lib/report/numbers/numbers.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <memory>
 #include <string_view>
 
@@ -156,6 +158,18 @@ std::vector<StepFigure> other_shafts(const Project& project, const Summary& summ
     }
   }
   return all;
+}
+
+void name_step(const project::Project& project, const StepFigure& figure, figure::Figure& shown) {
+  const auto is_alike = [&](const auto& other) {
+    return std::ranges::any_of(other->account().figures, [&](const figure::Figure& of_other) {
+      return other.get() != figure.step && of_other.caption == figure.figure->caption;
+    });
+  };
+  if (shown.caption.empty() || std::ranges::none_of(project.steps, is_alike)) return;
+  std::string caption = say(shown.caption).text();
+  caption.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(caption.front())));
+  shown.caption = say("{1}: {2}", capitalised(component_name(*figure.step)), caption).text();
 }
 
 figure::Figure marked(const StepFigure& of) {

@@ -25,6 +25,9 @@ std::vector<StepFigure> further_figures(const project::Project& project, const S
 std::vector<StepFigure> other_shafts(const project::Project& project, const Summary& summary,
                                      const std::vector<StepFigure>& main);
 
+/// Where figures of several steps have the same caption, each names its step.
+void name_step(const project::Project& project, const StepFigure& figure, figure::Figure& shown);
+
 /// A figure with marks at the diameters that a search has found.
 figure::Figure marked(const StepFigure& figure);
 /// A shaft with the widths and outer diameters of its bearings, out of the steps that assess them.

@@ -3,9 +3,9 @@
 #include "lib/report/appendix.hpp"
 #include "lib/report/brief/names.hpp"
 #include "lib/report/columns.hpp"
+#include "lib/report/numbers/numbers.hpp"
 #include "lib/report/why.hpp"
 #include "lib/report/worked.hpp"
-#include "lib/report/numbers/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +33,9 @@ bool is_zero_of_list(const Entry& entry) {
   return is_of_list(entry) && entry.word.empty() && !entry.values().is_series() && !entry.values().si.empty() &&
          std::abs(entry.values().si.front()) < rounding;
 }
+
+/// The joints and points that a template lays out follow from its own inputs.
+bool is_of_template(const Entry& entry) { return entry.origin.text.id == "template {1}"; }
 
 bool is_name(const Entry& entry) { return entry.path == "name" || entry.path.ends_with(".name"); }
 
@@ -62,8 +65,9 @@ std::vector<Input> given_inputs(const Project& project, const std::vector<Govern
   for (const auto& step : project.steps) {
     for (const Entry& entry : step->account().inputs) {
       const bool decides = deciding.contains(&entry);
-      if (!is_available(entry) || is_name(entry) || (entry.origin.assumed && !decides)) continue;
-      if (!decides && is_zero_of_list(entry)) continue;
+      if (!is_available(entry) || is_name(entry)) continue;
+      const bool says_little = entry.origin.assumed || is_of_template(entry) || is_zero_of_list(entry);
+      if (!decides && says_little) continue;
       const int rank = rank_of(entry, decides);
       inputs.push_back({step.get(), &entry, rank});
     }
@@ -76,9 +80,9 @@ std::string name_of(const Input& input, bool several) {
 }
 
 double height_of(const Input& input, bool several) {
-  constexpr double of_line = 3.2, gap = 0.8, letters_in_line = 27.0;  // mm
+  constexpr double of_line = 3.2, gap = 0.8, letters_in_line = 23.0, of_source = 13.0;  // mm; letters
   const double letters = letters_of(name_of(input, several)), source = letters_of(short_origin(*input.entry));
-  return gap + of_line * std::ceil(std::max(letters / letters_in_line, source / (0.5 * letters_in_line)));
+  return gap + of_line * std::ceil(std::max(letters / letters_in_line, source / of_source));
 }
 
 /// Drops the inputs of the highest ranks until the rest fits.

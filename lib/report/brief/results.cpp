@@ -246,11 +246,13 @@ std::string step_names(const std::vector<const Step*>& steps) {
   return capitalised(all);
 }
 
+bool is_utilisation(const Message& head) { return is_symbol(head) && head.args[0].text().starts_with("u_"); }
+
 /// Utilisations with four decimals: "4.6e-05" of an unloaded end says no more than 0.
 void round_utilisations(Table& table) {
   constexpr double decimals = 1e4;
   for (std::size_t i = 0; i < table.head.size(); ++i) {
-    if (!is_symbol(table.head[i]) || !table.head[i].args[0].text().starts_with("u_")) continue;
+    if (!is_utilisation(table.head[i])) continue;
     for (auto& row : table.rows) {
       if (auto* const q = std::get_if<Quantity>(&row[i])) q->si = std::round(decimals * q->si) / decimals;
     }
@@ -271,6 +273,30 @@ std::vector<Panel> list_panels(const project::Step& step, const account::Modes& 
     panels.push_back({std::move(title), say("{1}", component_name(step)), {std::move(table)}});
   }
   return panels;
+}
+
+Table most_utilised_rows(const Table& table, std::size_t most) {
+  if (table.rows.size() <= most) return table;
+  const auto utilisation = [&](const std::vector<Cell>& row) {
+    double highest = -1.0;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto* const q = std::get_if<Quantity>(&row[i]);
+      if (q != nullptr && is_utilisation(table.head[i])) highest = std::max(highest, q->si);
+    }
+    return highest;
+  };
+  std::vector<double> sorted;
+  for (const auto& row : table.rows) sorted.push_back(utilisation(row));
+  const std::size_t kept = most - 1;
+  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(kept - 1), std::ranges::greater());
+  const double least = sorted[kept - 1];
+  Table part{table.caption, table.head, {}};
+  for (const auto& row : table.rows) {
+    if (part.rows.size() < kept && utilisation(row) >= least) part.rows.push_back(row);
+  }
+  part.rows.emplace_back(table.head.size(), Cell(std::string()));
+  part.rows.back().front() = say("{1} more: appendix", std::to_string(table.rows.size() - kept)).text();
+  return part;
 }
 
 std::vector<Panel> load_panels(const project::Step& step) {

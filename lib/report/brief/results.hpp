@@ -11,6 +11,9 @@ namespace loadpath::report {
 /// The lists of a step in which its modes govern, with the columns from which the checks follow.
 std::vector<Panel> list_panels(const project::Step& step, const account::Modes& modes);
 
+/// The rows of a table that have the highest utilisations, in their order, and how many others the appendix has.
+Table most_utilised_rows(const Table& table, std::size_t most);
+
 /// The forces on a shaft, of its mounted components and its bearings; empty for other steps.
 std::vector<Panel> load_panels(const project::Step& step);
 

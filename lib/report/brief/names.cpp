@@ -98,13 +98,13 @@ bool is_typed(const Entry& entry) { return entry.origin.text.text() == say("give
 
 /// "belts" of "= belts.n_2", "shaft" of "= 2*shaft.T": the step that a value comes from; empty if it names none.
 std::string origin_step(const std::string& text) {
-  const std::size_t dot = text.find('.');
-  if (dot == std::string::npos) return {};
-  std::size_t begin = dot;
-  while (begin > 0 && (std::isalnum(static_cast<unsigned char>(text[begin - 1])) != 0 || text[begin - 1] == '_'))
-    --begin;
-  return begin == dot || std::isdigit(static_cast<unsigned char>(text[begin])) != 0 ? std::string()
-                                                                                    : text.substr(begin, dot - begin);
+  for (std::size_t dot = text.find('.'); dot != std::string::npos; dot = text.find('.', dot + 1)) {
+    std::size_t begin = dot;
+    while (begin > 0 && is_of_name(text[begin - 1])) --begin;
+    const bool is_number = std::isdigit(static_cast<unsigned char>(text[begin])) != 0;
+    if (begin < dot && !is_number) return text.substr(begin, dot - begin);
+  }
+  return {};
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ std::string spoken_template(const Message& origin) {
 }  // namespace
 
 std::string short_value(const Entry& entry) {
-  constexpr int digits = 5;
+  constexpr int digits = 5, short_digits = 4;
   if (!entry.word.empty()) return entry.origin.sources.empty() ? spoken(entry.word) : entry.word;
   if (entry.values().si.empty()) return {};
   const bool is_series = entry.values().is_series();
@@ -127,8 +127,8 @@ std::string short_value(const Entry& entry) {
   if (!is_series && is_safety(entry)) return unbroken(safety_number(si));
   const bool as_typed = !is_series && is_typed(entry) && std::isfinite(si);
   std::string text = as_typed ? format_quantity(si, entry.unit, digits) : short_quantity(si, entry.unit);
-  if (as_typed && text.find_first_of('e') < text.find(' '))  // "2e7 mm⁴"
-    text = formula::quantity_plain(written({si, entry.unit, digits}));
+  if (std::isfinite(si) && text.find('e') < text.find(' '))  // "2e7 mm⁴"
+    text = formula::quantity_plain(written({si, entry.unit, as_typed ? digits : short_digits}));
   if (text.starts_with('-')) text.replace(0, 1, "\u2212");
   if (constexpr std::string_view degrees = " deg"; text.ends_with(degrees))
     text.replace(text.size() - degrees.size(), degrees.size(), "°");

@@ -216,7 +216,9 @@ TEST_SUITE("report pages" * test::by_example) {
   }
 
   TEST_CASE("the links and points of a joint are named by it") {
-    const std::string inputs = written(*panel_of(brief_of(machine("geared-press")), "Input data"));
+    const Document document = brief_of(machine("geared-press"));
+    const std::string inputs =
+        written(*panel_of(document, "Input data")) + written(*panel_of(document, "Input data, continued"));
     CHECK(contains(inputs, "O: first link"));
     CHECK_FALSE(contains(inputs, "first link or point"));
   }

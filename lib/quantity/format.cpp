@@ -9,6 +9,9 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <string>
 
 namespace loadpath {
 namespace {
@@ -100,18 +103,26 @@ std::string pretty_unit(std::string_view unit) {
   return pretty;
 }
 
-double in_unit(double si, std::string_view unit) {
-  if (is_ratio(unit)) return si;
+namespace {
+
+/// A unit of the table, read once: a report has some thousand quantities in a few dozen units.
+const ParsedUnit& known_unit(std::string_view unit) {
+  static thread_local std::map<std::string, ParsedUnit, std::less<>> known;
+  const auto found = known.find(unit);
+  if (found != known.end()) return found->second;
   const Outcome<ParsedUnit> read = read_unit(unit, 0);
   assert(read && "the unit of a field must be in the table");
-  return read->from_si(si);
+  return known.emplace(unit, *read).first->second;
 }
+
+}  // namespace
+
+double in_unit(double si, std::string_view unit) { return is_ratio(unit) ? si : known_unit(unit).from_si(si); }
 
 std::vector<double> in_unit(std::vector<double> si, std::string_view unit) {
   if (is_ratio(unit)) return si;
-  const Outcome<ParsedUnit> read = read_unit(unit, 0);
-  assert(read && "the unit of a field must be in the table");
-  for (double& value : si) value = read->from_si(value);
+  const ParsedUnit& read = known_unit(unit);
+  for (double& value : si) value = read.from_si(value);
   return si;
 }
 

@@ -13,7 +13,8 @@ U+2202,U+2206,U+2212,U+2215,U+221A,U+221E,U+2248,U+2260,U+2264,U+2265,U+2300,U+2
 
 # Open Sans has no superscript minus: the sign of subtraction, as small and as high as its superscript digits.
 regular=$(mktemp --suffix=.ttf)
-trap 'rm -f "$regular"' EXIT
+scaled=$(mktemp --suffix=.ttf)
+trap 'rm -f "$regular" "$scaled"' EXIT
 /usr/bin/python3 - "$folder/OpenSans-Regular.ttf" "$regular" <<'PYTHON'
 import sys
 from fontTools.pens.transformPen import TransformPen
@@ -37,8 +38,10 @@ for table in font["cmap"].tables:
 font.save(sys.argv[2])
 PYTHON
 
+# Outlines in thousandths of the em: a unit is 0.003 mm on paper.
 subset() {
-  /usr/bin/python3 -m fontTools.subset "$1" --output-file="$target/$2.woff2" --flavor=woff2 \
+  /usr/bin/python3 -m fontTools.ttLib.scaleUpem "$1" 1000 --output-file "$scaled"
+  /usr/bin/python3 -m fontTools.subset "$scaled" --output-file="$target/$2.woff2" --flavor=woff2 \
     --layout-features='kern,lnum,tnum,liga' --no-hinting --desubroutinize --no-recalc-timestamp --notdef-outline \
     --drop-tables+=DSIG,GDEF --unicodes="$3"
 }
@@ -46,8 +49,9 @@ subset() {
 more="U+00A1-00AF,U+00B4,U+00B6,U+00B8,U+00BA,U+00BB,U+00BF-00C3,U+00C5-00D5,U+00D9-00DB,U+00DD,U+00DE,U+00E0-00E3,\
 U+00E5-00F5,U+00F8-00FB,U+00FD-017F,U+0401,U+0410-044F,U+0451"
 
-# Headings, labels and sizes that were found
+# Headings, labels and sizes that were found, with the Greek letters of sizes and factors
 slim="U+0020-007E,U+00A0,U+00B0,U+00B2,U+00B3,U+00B5,U+00B7,U+00C4,U+00D6,U+00D7,U+00DC,U+00DF,U+00E4,U+00F6,U+00FC,\
+U+03B1,U+03B2,U+03B4,U+03B5,U+03B7,U+03B8,U+03BB,U+03BC,U+03C1,U+03C3,U+03C4,U+03C6,U+03C8,U+03C9,\
 U+2013,U+2026,U+2212,U+221E,U+2248,U+2264,U+2265"
 subset "$regular" loadpath-sans "$letters"
 subset "$regular" loadpath-sans-more "$more"

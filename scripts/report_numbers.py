@@ -66,6 +66,19 @@ def peaks_of(values):
             yield b - (c - a) ** 2 / (8 * (a - 2 * b + c))
 
 
+def positions_of_peaks(step):
+    """Where those vertices are on an axis of angles."""
+    for entry in step["results"].values():
+        axis = step.get("axes", {}).get(entry.get("axis") if isinstance(entry, dict) else None, {})
+        if axis.get("shown_in") != "deg":
+            continue
+        at, values = axis["at"], entry["values"]
+        for i in range(1, len(values) - 1):
+            a, b, c = values[i - 1 : i + 2]
+            if None not in (a, b, c) and (b - a) * (c - b) < 0:
+                yield at[i] + 0.5 * (at[i + 1] - at[i]) * (a - c) / (a - 2 * b + c)
+
+
 def resultants_of(entries):
     """Of components along x and y, at each position."""
     for key, entry in entries.items():
@@ -99,6 +112,7 @@ def numbers_of(data):
     numbers_in(data, None, all_found)
     for step in data["steps"]:
         factor = (values_of(step["inputs"].get("K_A")) or [1])[0]
+        all_found.setdefault("rad", []).extend(positions_of_peaks(step))
         own = {}
         numbers_in(step, None, own)
         for unit in ("N", "N*m"):

@@ -247,7 +247,7 @@ void Pages::add_diagrams(Page& page) {
 
 /// The inputs in two columns, where page 1 has all diagrams.
 Band Pages::inputs_in_columns() {
-  constexpr double of_column = 115.0;  // mm
+  constexpr double of_column = 135.0;  // mm
   Panel left{say("Input data"), {}, {inputs_table(project_, rows_, 2.0 * of_column)}};
   Panel right{say("Input data, continued"), {}, {std::get<Table>(left.blocks.front())}};
   auto& first = std::get<Table>(left.blocks.front()).rows;

@@ -31,7 +31,7 @@ constexpr std::array<HeadingKey, 15> keys_of_heading{{
 }};
 constexpr std::array papers{"A4", "letter"};
 
-/// Files written for version 0.1 have these names of the people who sign.
+/// The people who sign had these names in earlier files.
 std::string present_name(const std::string& key) {
   constexpr std::array<std::pair<std::string_view, const char*>, 3> earlier{
       {{"author", "prepared"}, {"checker", "checked"}, {"approver", "approved"}}};

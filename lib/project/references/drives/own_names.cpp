@@ -85,15 +85,20 @@ const Value* stated_value(const Project& project, const std::string& path) {
   return typed != nullptr ? typed : project.values.fixed(path.substr(of_values.size()));
 }
 
-/// A number of the step that the whole is divided by, or multiplied with: four screws, a share.
+/// The magnitude of a value of [values] with one number of this dimension; NaN if it has another.
+double stated_number(const Project& project, const std::string& path, const Dimension& dimension) {
+  const Value* const value = stated_value(project, path);
+  const bool is_such = value != nullptr && !value->is_series() && value->signature.dimension == dimension;
+  return is_such ? std::abs(value->si.front()) : std::nan("");
+}
+
+/// A count of the step that the whole is divided by, or multiplied with: four screws.
 bool is_explained(const Step& step, const Project& project, const Operand& operand, double share) {
   if (operand.path.starts_with("seats")) return false;  // counts of the shaft are none of a mounted component
   const auto& fields = step.input().calculator->input->fields;
   return std::ranges::any_of(fields, [&](const FieldInfo& field) {
-    const std::string_view key = field.key;
-    const bool is_ratio = field.is_number() && field.dimension.is_number() && (key == "i" || key == "u");
-    if (field.type != FieldInfo::Type::count && !is_ratio) return false;  // a safety factor explains no share
-    if (key.starts_with("z_")) return false;                              // teeth share no load
+    const bool is_of_teeth = std::string_view(field.key).starts_with("z_");  // they share no load
+    if (field.type != FieldInfo::Type::count || is_of_teeth) return false;
     const double number = std::abs(own_value(step, project, field.key));
     return is_near(number * share, 1.0, few_digits) || is_near(number, share, few_digits);
   });
@@ -205,7 +210,6 @@ void compare_speed(const Step& step, const Project& project, const Operand& oper
   const std::string& path = references.front().path;
   const Value* const value = project.value(path);
   if (value == nullptr || value->signature.dimension != turning || !is_written_as_product(step, operand)) return;
-  if (is_explained(step, project, operand, share)) return;
   found.push_back({operand.path, say("{1} is {2} times '{3}': speeds have units, and a ratio is a value of [values] or "
                                      "of the drive; refer to it, or justify it: {4} = \"...\"",
                                      operand.path, format_number(share, 4), path, because_key(operand.path))});
@@ -225,14 +229,12 @@ bool is_quarter(std::string_view key, std::string_view name, double share) {
 void compare_size(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
   constexpr double least = 0.95, most = 1.05;  // of a groove, with an allowance
   const std::string& key = operand.path;
+  const Dimension& dimension = operand.leaf.field->dimension;
   const std::string path = only_value(operand);
-  if (path.empty() || !names_size(key, "dDrR") || operand.leaf.field->dimension != Dimension::of(1, 0, 0) ||
-      is_named(step, operand))
+  if (path.empty() || !names_size(key, "dDrR") || dimension != Dimension::of(1, 0, 0) || is_named(step, operand))
     return;
   const std::string name = path.substr(of_values.size());
-  const Value* const value = stated_value(project, path);
-  if (value == nullptr || value->si.size() != 1) return;
-  const double share = std::abs(own_value(step, project, key) / value->si.front());
+  const double share = std::abs(own_value(step, project, key)) / stated_number(project, path, dimension);
   const bool is_part = name == key && (share < least || share > most);
   if (!is_part && !is_quarter(key, name, share)) return;
   found.push_back(
@@ -261,14 +263,12 @@ void compare_load(const Step& step, const Project& project, const Operand& opera
   const bool is_whole = operand.expression.is_reference() && most >= 1.0;
   if (path.empty() || !loads_a_part(field, operand.path) || is_whole) return;
   if (is_named(step, operand) && path != only_reference(operand)) return;
-  const Value* const value = stated_value(project, path);
-  if (value == nullptr || value->si.size() != 1 || value->signature.dimension != field.dimension) return;
   if (operand.text.find("sin") != std::string::npos || operand.text.find("cos") != std::string::npos ||
       operand.text.find("tan") != std::string::npos || means(*step.input().calculator, operand.path, &is_part_of_cycle))
     return;
-  const double stated = std::abs(value->si.front());
+  const double stated = stated_number(project, path, field.dimension);
   const double share = most * std::abs(own_value(step, project, operand.path)) / stated;
-  if (!(stated > 0.0 && share > 0.0 && share < least_share) || is_half_of_two(operand, share) ||
+  if (!(share > 0.0 && share < least_share) || is_half_of_two(operand, share) ||
       is_explained(step, project, operand, share))
     return;
   if (taken_in_parts(project, path, stated, field.dimension, &only_value) >= least_share * stated) return;
@@ -295,11 +295,9 @@ void compare_length(const Step& step, const Project& project, const Operand& ope
   const bool is_of_bar = operand.path == "l" && find_field(fields, "n_st") != nullptr;
   const std::string path = is_of_bar ? only_value(operand) : std::string();
   if (path.empty() || operand.expression.is_reference() || is_named(step, operand)) return;
-  const Value* const value = stated_value(project, path);
-  if (value == nullptr || value->si.size() != 1 || value->signature.dimension != Dimension::of(1, 0, 0)) return;
-  const double stated = std::abs(value->si.front()), share = std::abs(own_value(step, project, "l")) / stated;
-  if (!(share > 0.0 && share < least_share) || is_explained(step, project, operand, share)) return;
-  if (taken_in_lengths(project, path) >= least_share * stated) return;
+  const double stated = stated_number(project, path, operand.leaf.field->dimension);
+  const double share = std::abs(own_value(step, project, "l")) / stated;
+  if (!(share < least_share) || taken_in_lengths(project, path) >= least_share * stated) return;
   found.push_back({"l", say("l is {1} times '{2}', and no bracing is stated: refer to a value that states the number "
                             "of parts, or justify it: because.l = \"...\"",
                             format_number(share, 4), path)});

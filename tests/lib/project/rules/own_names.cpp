@@ -75,6 +75,34 @@ TEST_SUITE("project: values in part") {
     CHECK(found(power + shaft("=values.P/values.n/2")) == "T");
   }
 
+  TEST_CASE("a part by a number that looks like a half, or of another quantity") {
+    CHECK(found(force + lug("=values.F*1.2/2")).empty());  // half of the force, with a factor
+    CHECK(found(force + lug("=values.F*1.5/2.5")) == "F");
+    CHECK(found(force + lug("=values.F*12/20")) == "F");
+    const std::string weight = "[values]\nm = \"1000 kg\"\n\n";
+    CHECK(found(weight + lug("=0.05*values.m*(9.81 m/s^2)")).empty());
+    const std::string moved = "[values]\nT = \"=press.drive.M\"\n\n";
+    CHECK(found(moved + shaft("=0.5*values.T") + press_of_heavy_rod).empty());  // see reductions.cpp
+  }
+
+  TEST_CASE("a count of the step explains its share of a load, apart from teeth") {
+    const std::string stated = "[values]\nP = \"6 kW\"\n\n";
+    const auto chain = [](const std::string& P, const std::string& strands) {
+      return example_of("chain.roller", "P = \"" + P + "\"\nstrands = " + strands);
+    };
+    CHECK(found(stated + chain("=values.P/3", "3")).empty());
+    CHECK(found(stated + chain("=values.P/3", "2")) == "P");
+    CHECK(found(stated + chain("=values.P/19", "1")) == "P");  // z_1 = 19
+  }
+
+  TEST_CASE("the mean of a cycle is a part of it by definition") {
+    const std::string power = "[values]\nP = \"20 kW\"\nT = \"100 N*m\"\nn = \"1400 rpm\"\n\n";
+    CHECK(found(power + example_of("belt.v", "P = \"=0.5*values.P\"")).empty());
+    CHECK(found(power + example_of("chain.roller", "P = \"=0.5*values.P\"")) == "P");
+    CHECK(found(power + example_of("belt.v", "P = \"=0.5*values.T*values.n\"")).empty());
+    CHECK(found(power + example_of("chain.roller", "P = \"=0.5*values.T*values.n\"")) == "P");
+  }
+
   TEST_CASE("strengths, factors and pressures under their own names") {
     const std::string strengths = "[values]\nR_e = \"300 MPa\"\nK_A = 1.5\nS = 2\n\n";
     const auto with_strength = [&](const std::string& lines) {
@@ -86,6 +114,10 @@ TEST_SUITE("project: values in part") {
     CHECK(with_strength("R_e = \"=1.2*values.R_e\"") == "R_e");
     CHECK(with_strength("R_e = \"=values.R_e\"").empty());
     CHECK(with_strength("R_e = \"=0.8*values.R_e\"").empty());
+    CHECK(with_strength("R_e = \"=1.01*values.R_e\"").empty());  // digits
+    CHECK(with_strength("S = \"=0.99*values.S\"").empty());
+    CHECK(with_strength("R_e = \"=0.99*values.R_e\"").empty());
+    CHECK(with_strength("S = \"=1.01*values.S\"").empty());
     CHECK(with_strength("S = \"=0.8*values.S\"") == "S");
     CHECK(with_strength("S = \"=1.2*values.S\"").empty());
     const std::string pressures = "[values]\np = \"1 MPa\"\n\n";
@@ -103,6 +135,37 @@ TEST_SUITE("project: values in part") {
     CHECK(found("[values]\nP = \"0.6 kW\"\n\n" + worm) == "P");
     const std::string losses = example_of("gear.worm", "P = \"=0.95*values.P\"");
     CHECK(found("[values]\nP = \"0.6 kW\"\n\n" + losses).empty());
+  }
+
+  TEST_CASE("a required life as a part of a life by its name") {
+    const auto bearing = [](const std::string& value, const std::string& L_h) {
+      return found("[values]\n" + value +
+                   "\n\n[b]\ncalculator = \"bearing.rolling\"\nbearing = \"6309\"\nF_r = \"6 kN\"\n" +
+                   "n = \"1200 rpm\"\nL_h = \"" + L_h + "\"\n");
+    };
+    CHECK(bearing("life = \"20000 h\"", "=values.life/10") == "L_h");
+    CHECK(bearing("life = \"20000 h\"", "=values.life").empty());
+    CHECK(bearing("L_h = \"20000 h\"", "=values.L_h/10") == "L_h");
+    CHECK(bearing("pause = \"20000 h\"", "=values.pause/10").empty());
+    const auto part = [](const std::string& value, const std::string& N) {
+      return found("[values]\n" + value + "\n\n" + example_of("fatigue.life", "N = \"" + N + "\""));
+    };
+    CHECK(part("cycles = 2e6", "=values.cycles/10") == "N");
+    CHECK(part("strokes_a_piece = 2e6", "=values.strokes_a_piece/10").empty());
+  }
+
+  TEST_CASE("a diameter or a radius as a part of a value of its own name") {
+    const auto wall = [](const std::string& name, const std::string& lines) {
+      return found("[values]\n" + name + " = \"1200 mm\"\n\n" + example_of("vessel.cylinder", lines));
+    };
+    CHECK(wall("R", "R = \"=values.R/2\"") == "R");
+    CHECK(wall("R", "R = \"=values.R*0.96\"").empty());
+    CHECK(wall("R", "R = \"=values.R*1.04\"").empty());
+    CHECK(wall("R", "R = \"=values.R*1.06\"") == "R");
+    CHECK(wall("D", "R = \"=values.D/2\"").empty());
+    CHECK(wall("D_i", "R = \"=values.D_i/4\"") == "R");
+    CHECK(wall("Dm", "R = \"=values.Dm/4\"").empty());  // of no diameter
+    CHECK(wall("L", "R = \"=values.L/4\"").empty());
   }
 
   TEST_CASE("the length of a column by a bare number") {

@@ -35,6 +35,14 @@ inline std::string inputs_found(Rule rule, const std::string& text, const std::s
   return inputs;
 }
 
+/// The messages of a rule for the first step, one on each line.
+inline std::string messages_of(Rule rule, const std::string& text) {
+  const Told t = told(text);
+  std::string all;
+  for (const project::ReducedLoad& one : rule(*t.project.steps.front(), t.project)) all += one.message.text() + "\n";
+  return all;
+}
+
 /// Entries of [values], and the inputs that a rule then asks a reason for.
 struct ValuesRow {
   std::string values, inputs;

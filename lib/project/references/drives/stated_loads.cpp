@@ -90,19 +90,16 @@ std::vector<ReducedLoad> loads_stated_otherwise(const Step& step, const Project&
   std::vector<ReducedLoad> found;
   if (project.values.unused().empty() || !is_drive(step)) return found;
   const std::string load = load_of(step, project);
-  if (load.empty()) return found;
   for (const auto& [name, value] : project.values.unused()) {
     const Dimension dimension = value.signature.dimension;
     if (project.values.kind(name) == Meant::work || is_under_own_name(step, project, name, dimension)) continue;
-    const double factors = factors_included(name, step, project);
     const double si = std::abs(value.si.front()), own = meant_load(step, project, name, dimension);
-    if (!(si > (1.0 + rounded) * factors * own) || si > implausible_ratio * own) continue;
-    bool is_carried = false;  // by another drive of the file
-    for (const auto& other : project.steps) {
-      if (!is_drive(*other)) continue;
-      is_carried = is_carried || meant_load(*other, project, name, dimension) >= (1.0 - rounded) * si;
-    }
-    if (is_carried) continue;
+    const auto carries = [&, &name = name](const auto& drive) {
+      if (!is_drive(*drive)) return false;
+      const double most = factors_included(name, *drive, project) * meant_load(*drive, project, name, dimension);
+      return most >= (1.0 - rounded) * si;
+    };
+    if (!(si <= implausible_ratio * own) || std::ranges::any_of(project.steps, carries)) continue;
     const char* const unit = dimension == of_power ? "kW" : dimension == of_torque ? "N*m" : "N";
     found.push_back({load, say("values.{1} = {2} acts on no step, and {3} corresponds to {4} here: refer to it, delete "
                                "it, or justify it: because.{3} = \"...\"",
@@ -211,8 +208,7 @@ std::vector<ReducedLoad> powers_of_torques(const Step& step, const Project& proj
     if (std::isnan(n)) continue;
     const double P = std::abs(value.si.front()), stated = P / n;
     const auto carries = [&](const auto& other) { return single_torque(*other, project) >= (1.0 - rounded) * stated; };
-    const bool is_above = stated > (1.0 + rounded) * T && stated <= implausible_ratio * T;
-    if (n > 0.0 && (!is_above || std::ranges::any_of(project.steps, carries))) continue;
+    if (n > 0.0 && (stated > implausible_ratio * T || std::ranges::any_of(project.steps, carries))) continue;
     found.push_back(
         {"T",
          n > 0.0 ? say("values.{1} = {2} acts on no step: at {3} it has {4}, and T is {5}: refer to it, delete "

@@ -48,6 +48,13 @@ TEST_SUITE("project: loads left out") {
                   {"T_start = 400", ""},
                   {"T_start = \"400 J\"", ""},
                   {"start = \"400 N*m\"", ""}});
+    const auto train = [](const std::string& P, const std::string& z) {
+      return "\n[g]\ncalculator = \"drive.train\"\nn_1 = \"1000 rpm\"\nP = \"" + P +
+             "\"\nstages = [{ name = \"gears\", kind = \"gear\", " + z + ", eta = 1 }]\n";
+    };
+    check(shaft + train("42 kW", "z_1 = 60, z_2 = 20"), {{"T_drum = \"400 N*m\"", ""}});  // 401 and 134 N*m
+    check(shaft + train("14 kW", "z_1 = 20, z_2 = 60"), {{"T_drum = \"400 N*m\"", ""}});  // 134 and 401 N*m
+    check(shaft + train("13 kW", "z_1 = 20, z_2 = 60"), {{"T_drum = \"400 N*m\"", "T"}});
     check(shell, {{"p_design = \"1.2 MPa\"", "p"}, {"p_max = \"1.2 MPa\"", "p"}, {"p_fill = \"1.2 MPa\"", ""}});
     check(bearing, {{"F_max = \"7 kN\"", "F_r"}, {"F_r = \"7 kN\"", "F_r"}, {"F_r_max = \"7 kN\"", "F_r"}});
     check(example_of("fatigue.life"), {{"sigma_max = \"900 MPa\"", ""}, {"sigma_test = \"900 MPa\"", ""}});
@@ -154,24 +161,13 @@ TEST_SUITE("project: loads of drives") {
     const auto asked = [](const std::string& steps, std::initializer_list<ValuesRow> rows) {
       check_values(&project::loads_stated_otherwise, steps, rows);
     };
-    asked(chain, {{"T_1 = \"400 N*m\"", "P"},
-                  {"T_1 = \"-400 N*m\"", "P"},
-                  {"T_1 = \"300 N*m\"", ""},
-                  {"T_1 = \"200 N*m\"", ""},
-                  {"T_1 = \"14800 N*m\"", "P"},
-                  {"T_1 = \"15100 N*m\"", ""},
-                  {"T_1 = \"400 J\"", ""},
-                  {"T_1 = \"400 N\"", ""},
-                  {"T_3 = \"400 N*m\"", ""},
-                  {"T_2 = \"800 N*m\"", ""},
-                  {"T_2 = \"900 N*m\"", "P"},
-                  {"T = \"800 N*m\"", ""},
-                  {"T = \"900 N*m\"", "P"},
-                  {"T_start = \"900 N*m\"", "P"},
-                  {"P = \"4 kW\"", ""},
-                  {"P_1 = \"4 kW\"", "P"},
-                  {"P_start = \"4 kW\"", ""},
-                  {"P_loss = \"4 kW\"", ""}});
+    asked(chain, {{"T_1 = \"400 N*m\"", "P"},    {"T_1 = \"-400 N*m\"", "P"},    {"T_1 = \"300 N*m\"", ""},
+                  {"T_1 = \"200 N*m\"", ""},     {"T_1 = \"14800 N*m\"", "P"},   {"T_1 = \"15100 N*m\"", ""},
+                  {"T_1 = \"400 J\"", ""},       {"T_1 = \"400 N\"", ""},        {"T_3 = \"400 N*m\"", ""},
+                  {"T_2 = \"800 N*m\"", ""},     {"T_2 = \"900 N*m\"", "P"},     {"T = \"800 N*m\"", ""},
+                  {"T = \"900 N*m\"", "P"},      {"T_start = \"900 N*m\"", "P"}, {"T_idle = \"900 N*m\"", ""},
+                  {"M_start = \"900 N*m\"", ""}, {"T = \"900 N\"", ""},          {"P = \"4 kW\"", ""},
+                  {"P_1 = \"4 kW\"", "P"},       {"P_start = \"4 kW\"", ""},     {"P_loss = \"4 kW\"", ""}});
     const auto other = [&](const std::string& P) {
       return chain + "\n" + with_lines(example_of("chain.roller"), "P = \"" + P + "\"").replace(1, 8, "other");
     };
@@ -181,8 +177,25 @@ TEST_SUITE("project: loads of drives") {
     const std::string motor =
         "\n[m]\ncalculator = \"shaft.torsion\"\nP = \"4 kW\"\nn = \"96 rpm\"\nd = \"60 mm\"\ntau_adm = \"40 MPa\"\n";
     asked(chain + motor, {{"P_1 = \"4 kW\"", "P"}});
-    const std::string pair = example_of("gear.pair");
-    asked(pair, {{"F_t = \"1 N\"", ""}});
+    // 60 N*m at a pitch diameter of 60 mm: 2 kN.
+    const auto pair = [](const std::string& load) {
+      return "[g]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 60\nm_n = \"3 mm\"\nb = \"30 mm\"\n" + load;
+    };
+    asked(pair("T_1 = \"60 N*m\"\n"), {{"F_t = \"1 N\"", ""},
+                                       {"F_t = \"2.02 kN\"", ""},
+                                       {"F_t = \"2.1 kN\"", "T_1"},
+                                       {"F_t = \"99 kN\"", "T_1"},
+                                       {"F_t = \"101 kN\"", ""},
+                                       {"F_t = \"2.1 kN*m\"", ""},
+                                       {"F_r = \"2.1 kN\"", ""},
+                                       {"F_max = \"2.1 kN\"", ""}});
+    const std::string by_power = pair("P = \"6.2832 kW\"\nn_1 = \"1000 rpm\"\n");
+    asked(by_power, {{"F_max = \"2.1 kN\"", "P"}, {"F_max = \"1.9 kN\"", ""}, {"F_idle = \"2.1 kN\"", ""}});
+    const std::string train =  // 36.2 N*m; 140.5 N*m behind the stage
+        "[t]\ncalculator = \"drive.train\"\nP = \"5.5 kW\"\nn_1 = \"1450 rpm\"\nstages = [{ name = \"gears\", kind = "
+        "\"gear\", z_1 = 20, z_2 = 80, eta = 0.97 }]\n";
+    asked(train, {{"T_2 = \"140 N*m\"", ""}, {"T_2 = \"150 N*m\"", "P"}, {"T_1 = \"100 N*m\"", "P"}});
+    asked("[g]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 60\nm_n = \"3 mm\"\n", {{"T_1 = \"60 N*m\"", ""}});
   }
 
   TEST_CASE("gears without a load") {
@@ -228,6 +241,11 @@ TEST_SUITE("project: loads of drives") {
     asked(bar("s", "94 N*m"), {{power + "n = \"1000 rpm\"", ""}});
     asked(bar("s", "2 N*m"), {{power + "n = \"1000 rpm\"", "T"}});
     asked(bar("s", "1.9 N*m"), {{power + "n = \"1000 rpm\"", ""}});
+    const auto fit = [](const std::string& T) {
+      return example_of("shaft.press_fit", "n = \"1000 rpm\"\nT = \"" + T + "\"");
+    };
+    asked(fit("95 N*m"), {{power, ""}, {power + "n = \"100 rpm\"", ""}});  // it has a speed of its own
+    asked(fit("50 N*m"), {{power, "T"}});
     asked(bar("s", "50 N*m") + bar("o", "94 N*m"), {{power + "n = \"1000 rpm\"", ""}});
     asked(bar("s", "50 N*m") + bar("o", "90 N*m"), {{power + "n = \"1000 rpm\"", "T"}});
     asked(bar("s", "=o.T") + bar("o", "50 N*m"), {{power + "n = \"1000 rpm\"", ""}});

@@ -102,8 +102,6 @@ class StatedCheck {
 
   /// A shock of a machine none of whose steps has a peak factor is one of its application factor.
   void compare_shock(const Stated& stated) {
-    const FieldInfo* const K_A = field("K_A");
-    if (K_A == nullptr || !K_A->is_factor) return;
     const bool has_peak = std::ranges::any_of(project_.steps, [](const auto& step) {
       const Calculator* const calculator = step->input().calculator;
       return find_field(calculator->input->fields, "k_max") != nullptr ||

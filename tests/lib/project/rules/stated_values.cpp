@@ -70,6 +70,11 @@ TEST_SUITE("project: values stated only") {
     // 1e7 load cycles at 900 rpm: 185 h
     const std::string bevel = example_of("gear.bevel", "L_h =\nN = 1e7");
     check(bevel, {{"life = \"190 h\"", "N"}, {"life = \"180 h\"", ""}});
+    const auto said = [](const std::string& step) {
+      return messages_of(&project::values_stated_only, "[values]\nlife = \"12000 h\"\n\n" + step);
+    };
+    CHECK_MESSAGE(said(bevel).find("N is 1e7, 185.19 h") != std::string::npos, said(bevel));
+    CHECK(said(bearing).find("L_h is 3000 h") != std::string::npos);
     check(example_of("gear.bevel"), {{"life = \"12000 h\"", "L_h"}, {"life = \"10000 h\"", ""}});
     check(example_of("fatigue.life", "N = 1e5"), {{"life = \"12000 h\"", ""}});
   }
@@ -101,6 +106,7 @@ TEST_SUITE("project: values stated only") {
     check(bearing, {{"R = 0.99", "R"}, {"R = 0.8", ""}, {"R = 1", ""}, {"R = 0.9", ""}, {"R = \"0.99 m\"", ""}});
     check(bearing + "R = 0.95\n", {{"R = 0.92", ""}, {"R = 0.99", "R"}});
     check(example_of("fatigue.life"), {{"R = 0.99", ""}});
+    check(shell, {{"sigma_adm = \"200 MPa\"", ""}, {"sigma_adm = \"100 MPa\"", "sigma_adm"}});
     check(shell, {{"c = \"2 mm\"", "c"}, {"c = \"1 mm\"", ""}, {"c = 2", ""}, {"p = \"2 MPa\"", ""}});
     check(bearing, {{"n_max = \"90000 rpm\"", "n_max"}, {"n_max = \"3000 rpm\"", ""}});
     const std::string torsion = example_of("shaft.torsion", "material =\ntau_adm =\nR_e = \"355 MPa\"\nS = 2");
@@ -154,5 +160,13 @@ TEST_SUITE("project: temperatures stated only") {
     check(example_of("gear.bevel", "T_G = \"130 degC\""),
           {{"T_oil = \"125 degC\"", ""}, {"T_oil = \"140 degC\"", "T_G"}});
     check(example_of("chain.roller"), {{"T_max = \"300 degC\"", ""}});
+    const auto said = [](const std::string& T, const std::string& step) {
+      return messages_of(&project::values_stated_only, "[values]\n" + T + "\n\n" + step);
+    };
+    CHECK(said("T_oil = \"125 degC\"", example_of("gear.bevel")).find("give T_G") != std::string::npos);
+    CHECK(said("T_max = \"90 degC\"", example_of("belt.synchronous")).find("usual belts apply up to 85") !=
+          std::string::npos);
+    CHECK(said("T_max = \"150 degC\"", shell).find("strengths at room temperature apply up to 100") !=
+          std::string::npos);
   }
 }

@@ -38,9 +38,11 @@ TEST_SUITE("modes") {
       wanted[i].id = std::to_string(i);
       mixed.insert(i % 2 == 0 ? mixed.begin() : mixed.end(), wanted[i]);
     }
-    const Modes sorted = account::in_order(mixed);
-    REQUIRE(sorted.size() == wanted.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(sorted[i].id == wanted[i].id);
+    for (const Modes& modes : {mixed, Modes(wanted.rbegin(), wanted.rend())}) {
+      const Modes sorted = account::in_order(modes);
+      REQUIRE(sorted.size() == wanted.size());
+      for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(sorted[i].id == wanted[i].id);
+    }
   }
 
   TEST_CASE("the worst of no modes is a pass; one that is not considered does not prevent one") {

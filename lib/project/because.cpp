@@ -1,7 +1,9 @@
 #include "lib/project/because.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <string_view>
 
 namespace loadpath::project {
 
@@ -13,6 +15,25 @@ std::vector<std::string> input_keys(const Calculator& calculator) {
   std::vector<std::string> keys;
   for (const FieldInfo& field : calculator.input->fields) keys.emplace_back(field.key);
   return keys;
+}
+
+/// Whether a text has a word that is more than a consent: "ok", "not needed" and "n/a" give no reason.
+bool says_why(const std::string& text) {
+  constexpr std::array<std::string_view, 24> consents{
+      "ok",       "okay",       "yes", "no", "none", "not",  "needed",  "necessary",
+      "required", "applicable", "n",   "a",  "fine", "good", "all",     "todo",
+      "accepted", "accept",     "is",  "it", "tbd",  "na",   "ignored", "ignore"};
+  const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c >= 0x80; };
+  std::string word;
+  for (const char c : text + " ") {
+    if (is_letter(static_cast<unsigned char>(c))) {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!word.empty()) {
+      if (std::ranges::find(consents, std::string_view(word)) == consents.end()) return true;
+      word.clear();
+    }
+  }
+  return false;
 }
 
 void read_justification(const Tree::Entry& entry, StepInput& input, std::vector<Issue>& issues) {
@@ -35,9 +56,7 @@ void read_justification(const Tree::Entry& entry, StepInput& input, std::vector<
 }  // namespace
 
 bool is_reason(const Tree& tree) {
-  const auto is_word = [](unsigned char c) { return std::isalnum(c) != 0 || c >= 0x80; };
-  return tree.type == Tree::Type::text && tree.text.find('\n') == std::string::npos &&
-         std::any_of(tree.text.begin(), tree.text.end(), is_word);
+  return tree.type == Tree::Type::text && tree.text.find('\n') == std::string::npos && says_why(tree.text);
 }
 
 void read_because(const Tree& table, StepInput& input, std::vector<Issue>& issues) {

@@ -60,6 +60,10 @@ TEST_SUITE("project modes") {
     CHECK(contains(Solved(gears + "accept.piting_1 = \"x\"\n").messages(),
                    "has no failure mode 'piting_1' = did you mean 'pitting_1'?"));
     CHECK(contains(Solved(gears + "accept.pitting_1 = \" \"\n").messages(), "needs a reason"));
+    for (const std::string consent : {"ok", "OK", "n/a", "not needed", "none"})
+      CHECK_MESSAGE(contains(Solved(gears + "accept.pitting_1 = \"" + consent + "\"\n").messages(), "needs a reason"),
+                    consent);
+    CHECK_FALSE(contains(Solved(gears + "accept.pitting_1 = \"not loaded\"\n").messages(), "needs a reason"));
     CHECK(contains(Solved(gears + "accept.pitting_1 = true\n").messages(), "needs a reason"));
     CHECK(contains(Solved(gears + "accept = \"pitting_1\"\n").messages(), "is a table of reasons, not a text"));
   }

@@ -78,6 +78,8 @@ double own_value(const Step& step, const Project& project, const std::string& pa
   return leaf && leaf.field->is_number() ? leaf.get() : std::nan("");
 }
 
+bool is_strength(std::string_view what) { return strength_bound_of(what) != nullptr; }
+
 bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(std::string_view what)) {
   return std::any_of(calculator.meanings.begin(), calculator.meanings.end(), [&](const Meaning& meaning) {
     const auto fields = listed_keys(meaning.fields);

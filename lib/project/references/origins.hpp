@@ -58,6 +58,8 @@ bool is_one_of_outputs(const Step& step, const Project& project, const std::stri
 std::string material_of(const Step& step);
 /// Whether a step connects a hub to a shaft: it hands over a notch of the shaft, or the connection.
 bool connects(const Step& step);
+/// Whether a meaning is a strength or an allowable stress of a material.
+bool is_strength(std::string_view what);
 /// Whether the calculator declares one of these meanings for a field.
 bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(std::string_view what));
 

@@ -106,7 +106,9 @@ class MotorCheck {
   /// A motor that is weaker than its drive.
   void compare_power(const std::string& name, double si) {
     const double P = std::abs(own_value(step_, project_, "P"));
-    if (si < weakest_motor * P) add("P", name, format_quantity(si, "kW", 4), "P = " + format_quantity(P, "kW", 4));
+    constexpr double strongest = 4.0;  // times the power of its drive: beyond, one of them is mistyped
+    if (si < weakest_motor * P || si > strongest * P)
+      add("P", name, format_quantity(si, "kW", 4), "P = " + format_quantity(P, "kW", 4));
   }
 
   void compare_torque(const std::string& name, double si) {

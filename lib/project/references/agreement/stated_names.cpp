@@ -87,14 +87,23 @@ bool names_row(const Step& step, std::string_view word) {
 
 }  // namespace
 
+bool is_named(const Step& step, std::string_view word) {
+  return has_text_word(step.name(), word) || has_text_word(step.input().title, word) || names_row(step, word);
+}
+
+bool is_of_other_state(std::string_view name) {
+  return has_word(
+      name,
+      {"idle",     "motor",    "mot",     "engine",  "adm",       "zul",   "allow",      "allowable", "perm",   "lim",
+       "limit",    "capacity", "cap",     "rated",   "rating",    "break", "breaking",   "buckling",  "cr",     "crit",
+       "critical", "fatigue",  "min",     "least",   "empty",     "own",   "dead",       "ultimate",  "u",      "rd",
+       "strength", "clamp",    "frame",   "screw",   "screws",    "bolts", "foundation", "slip",      "clutch", "hold",
+       "holding",  "nom",      "nominal", "preload", "available", "main"});
+}
+
 bool is_of_machine(std::string_view name, const Project& project) {
   constexpr std::size_t fewest_letters = 3;  // of the word of a title
-  if (name.find('_') == std::string_view::npos) return false;
-  if (has_word(name, {"idle",     "motor",    "mot",   "engine",   "adm",      "zul",     "allow",   "allowable",
-                      "perm",     "lim",      "limit", "capacity", "cap",      "rated",   "rating",  "break",
-                      "breaking", "buckling", "cr",    "crit",     "critical", "fatigue", "min",     "least",
-                      "empty",    "own",      "dead",  "ultimate", "u",        "rd",      "strength"}))
-    return false;
+  if (name.find('_') == std::string_view::npos || is_of_other_state(name)) return false;
   const std::string_view last = name.substr(name.rfind('_') + 1);
   if (has_word(last,
                {"ed",      "sd",      "design", "total",     "tot",   "load", "machine",    "driven",   "work",
@@ -102,10 +111,8 @@ bool is_of_machine(std::string_view name, const Project& project) {
                 "pump",    "blower",  "mixer",  "winch",     "hoist", "saw",  "compressor", "conveyor", "spindle"}))
     return true;
   if (last.size() < fewest_letters) return false;
-  return has_text_word(project.title, last) || std::ranges::any_of(project.steps, [&](const auto& step) {
-           return has_text_word(step->name(), last) || has_text_word(step->input().title, last) ||
-                  names_row(*step, last);
-         });
+  return has_text_word(project.title, last) ||
+         std::ranges::any_of(project.steps, [&](const auto& step) { return is_named(*step, last); });
 }
 
 double factors_included(std::string_view name, const Step& step, const Project& project) {

@@ -17,8 +17,15 @@ bool has_only_words(std::string_view name, std::initializer_list<std::string_vie
 /// Whether a name means a peak: of a start, a jam, a shock.
 bool is_of_peak(std::string_view name);
 
+/// Whether a name means a limit, a capacity or another state than that of service: "F_adm", "T_idle", "P_motor".
+bool is_of_other_state(std::string_view name);
+
+/// Whether a word is in the name or the title of a step, or names an element of its lists: "punch" of "Flywheel of a
+/// punch".
+bool is_named(const Step& step, std::string_view word);
+
 /// Whether the last word of a name is a part of this machine, by the names and titles of the file, or its design load:
-/// "P_fan" of a "V-belt drive of a fan", "N_Ed". Limits, capacities and other states, as "F_adm" and "T_idle", are not.
+/// "P_fan" of a "V-belt drive of a fan", "N_Ed". Those of other states are not.
 bool is_of_machine(std::string_view name, const Project& project);
 
 /// The factors of the step, K_A and gamma_F, that a design load of this name includes: "P_design", "F_Ed"; 1 of others.

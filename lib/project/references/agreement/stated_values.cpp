@@ -1,6 +1,5 @@
 #include "lib/project/references/agreement/stated_values.hpp"
 
-#include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/references/agreement/drive_lines.hpp"
 #include "lib/project/references/agreement/stated_names.hpp"
 #include "lib/project/references/origins.hpp"
@@ -36,8 +35,6 @@ struct Stated {
   const std::string& name;
   double si;
 };
-
-bool is_strength(std::string_view what) { return strength_bound_of(what) != nullptr; }
 
 class StatedCheck {
  public:
@@ -155,14 +152,20 @@ class StatedCheck {
   /// "hours_per_day" and "years", of working days, next to a shorter required life.
   void compare_years() {
     constexpr double days = 250.0;
-    double years = std::nan(""), hours = std::nan("");
+    double years = std::nan(""), hours = std::nan(""), of_year = std::nan("");
     for (const auto& [name, value] : project_.values.unused()) {
       if (name == "years" && value.signature.dimension.is_number()) years = value.si.front();
+      if (has_word(name, {"year"}) && has_word(name, {"hours", "h"}))
+        of_year = value.si.front() * (value.signature.dimension.is_number() ? 3600.0 : 1.0);
       if (!has_word(name, {"day", "daily"})) continue;
       if (value.signature.dimension == duration) hours = value.si.front();
       if (value.signature.dimension.is_number() && has_word(name, {"hours", "h"})) hours = 3600.0 * value.si.front();
     }
-    const double life = years * days * hours;
+    if (hours > (1.0 + in_few_digits) * own("h_day"))
+      add("h_day", say("the hours per day of [values] act on no step, and h_day is {1}: refer to them, delete them, or "
+                       "justify it: because.h_day = \"...\"",
+                       format_quantity(own("h_day"), "h", 4)));
+    const double life = years * (std::isnan(hours) ? of_year : days * hours);
     if (std::isnan(life)) return;
     const auto [key, here] = own_life();
     if (!(life > (1.0 + in_few_digits) * here)) return;
@@ -234,7 +237,7 @@ class StatedCheck {
       const std::string_view name = one.key;
       if (one.dimension == heat && (name == "T" || name == "T_G")) return one.key;
     }
-    for (const char* const key : {"R_e", "R_m", "sigma_adm", "tau_adm", "sigma_D", "tau_D", "sigma_B"}) {
+    for (const char* const key : {"R_e", "R_m", "R_e_1", "sigma_adm", "tau_adm", "sigma_D", "tau_D", "sigma_B"}) {
       if (field(key) != nullptr && !std::isnan(own(key))) return key;
     }
     if (std::string_view(step_.input().calculator->id) == "bearing.rolling") return "C";  // its steel is tempered
@@ -256,15 +259,14 @@ class StatedCheck {
                         : key == "T_G" ? most_of_bevel
                                        : most_of_steel;
     const bool is_temperature = name.starts_with("t_") || name.starts_with("T_") || name.starts_with("theta_");
-    const bool is_of_part =
-        (is_temperature &&
-         has_word(name, {"service", "operating", "operation", "work",    "working", "design", "max", "wall",  "metal",
-                         "part",    "medium",    "steam",     "fire",    "oven",    "air",    "gas", "fluid", "flue",
-                         "exhaust", "product",   "process",   "surface", "hot",     "d",      "op"})) ||
-        (is_temperature && is_of_machine(name, project_)) ||
-        ((key == "T_G" || key == "C" || is_worm()) && has_word(name, {"oil", "sump"})) ||
-        has_word(name, {"ambient", "temperature"}) || has_only_words(name, {"t", "theta"});
-    if (!(stated.si > most) || !is_of_part || has_word(name, {"join", "joining", "temper", "tempering"})) return;
+    const bool is_named =
+        is_temperature &&
+        !has_word(name, {"join", "joining", "temper", "tempering", "melting", "melt", "hardening", "annealing",
+                         "shrink", "mounting", "oil", "sump", "flash", "ignition", "store", "storage", "limit", "adm"});
+    const bool is_of_part = is_named || has_word(name, {"ambient", "temperature"}) ||
+                            ((key == "T_G" || key == "C" || is_worm()) && has_word(name, {"oil", "sump"})) ||
+                            has_only_words(name, {"t", "theta"});
+    if (!(stated.si > most) || !is_of_part) return;
     if (key.empty() || ((key == "T" || key == "T_G") && own(key) >= stated.si)) return;
     if (key == "T_G")
       return add(key, say("values.{1} = {2} acts on no step: give T_G, the temperature of the gears, or "

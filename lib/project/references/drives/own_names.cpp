@@ -1,7 +1,6 @@
 #include "lib/project/references/drives/own_names.hpp"
 
 #include "lib/calculator/meaning.hpp"
-#include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/references/agreement/stated_names.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/quantity/format.hpp"
@@ -20,8 +19,6 @@ namespace {
 constexpr double few_digits = 0.02;  // values that are written with few digits
 constexpr std::string_view of_values = "values.";
 const Dimension pressure = Dimension::of(-1, 1, -2);
-
-bool is_strength(std::string_view what) { return strength_bound_of(what) != nullptr; }
 
 /// The input is a required life, in hours or in cycles.
 bool is_life(std::string_view key) { return key == "L_h" || key == "L_req" || key == "N" || key == "n_req"; }
@@ -97,16 +94,23 @@ bool is_explained(const Step& step, const Project& project, const Operand& opera
   if (operand.path.starts_with("seats")) return false;  // counts of the shaft are none of a mounted component
   const auto& fields = step.input().calculator->input->fields;
   return std::ranges::any_of(fields, [&](const FieldInfo& field) {
-    const bool is_of_teeth = std::string_view(field.key).starts_with("z_");  // they share no load
-    if (field.type != FieldInfo::Type::count || is_of_teeth) return false;
+    const std::string_view key = field.key;
+    const bool is_ratio = field.is_number() && field.dimension.is_number() && (key == "i" || key == "u");
+    if (field.type != FieldInfo::Type::count && !is_ratio) return false;  // a safety factor explains no share
+    if (key.starts_with("z_")) return false;                              // teeth share no load
+    const bool is_given =
+        step.input().reading.typed.contains(field.key) || step.input().reading.operand(field.key) != nullptr;
+    if (!is_given) return false;  // the usual number of pulleys
     const double number = std::abs(own_value(step, project, field.key));
     return is_near(number * share, 1.0, few_digits) || is_near(number, share, few_digits);
   });
 }
 
-/// A load, or the mass of a link, which loads the mechanism.
+/// A load, or the mass or inertia of a part that is moved, which loads its drive.
 bool loads_a_part(const FieldInfo& field, std::string_view path) {
-  const bool is_mass = field.dimension == Dimension::of(0, 1, 0) && path.starts_with("links.");
+  const bool is_moved = path.starts_with("links.") || path.starts_with("parts");
+  const bool is_mass =
+      (field.dimension == Dimension::of(0, 1, 0) || field.dimension == Dimension::of(2, 1, 0)) && is_moved;
   return (field.is_load && !field.dimension.is_number()) || is_mass;
 }
 
@@ -150,10 +154,12 @@ double taken_in_parts(const Project& project, const std::string& path, double wh
   return total;
 }
 
-/// A force or mass that two equal parts share: symmetrical supports, two columns, two rods. A torque has no such
-/// supports.
-bool is_half_of_two(const Operand& operand, double share) {
+/// A force or mass that two equal parts share: symmetrical supports, two rods. A torque has no such supports; the load
+/// of a column or of a mechanism is that of the whole.
+bool is_half_of_two(const Step& step, const Operand& operand, double share) {
   constexpr double half = 0.5;
+  const bool is_whole = id_of(step).starts_with("column.") || operand.path.starts_with("loads");
+  if (is_whole) return false;
   const Dimension& dimension = operand.leaf.field->dimension;
   const bool is_on_shaft = operand.path.starts_with("seats");  // the other half would be on it, too
   const bool is_shared = !is_on_shaft && (dimension == Dimension::of(1, 1, -2) || dimension == Dimension::of(0, 1, 0));
@@ -188,7 +194,7 @@ void compare_product(const Step& step, const Project& project, const Operand& op
   const std::string values = values_of_product(operand, project);
   const bool is_part = means(*step.input().calculator, operand.path, &is_part_of_cycle);
   if (values.find(' ') == std::string::npos || !is_written_as_product(step, operand) || is_part) return;
-  if (is_half_of_two(operand, share) || is_explained(step, project, operand, share)) return;
+  if (is_half_of_two(step, operand, share) || is_explained(step, project, operand, share)) return;
   const double whole = std::abs(own_value(step, project, operand.path)) / share;
   const auto values_of = [&](const Operand& other) { return values_of_product(other, project); };
   if (!(whole > 0.0) || taken_in_parts(project, values, whole, field.dimension, values_of) >= least_share * whole)
@@ -205,8 +211,10 @@ const Dimension turning = Dimension::of(0, 0, -1, 0, 1);
 void compare_speed(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
   const auto& references = operand.expression.references();
   const double share = std::abs(operand.expression.plain_number());
-  if (references.size() != 1 || operand.leaf.field->dimension != turning || !(share > 0.0 && share < least_share))
-    return;
+  // at a given power, a higher speed means a lower torque
+  const bool is_faster = share > 1.0 / least_share && !std::isnan(own_value(step, project, "P"));
+  const bool is_slower = share > 0.0 && share < least_share;
+  if (references.size() != 1 || operand.leaf.field->dimension != turning || !(is_slower || is_faster)) return;
   const std::string& path = references.front().path;
   const Value* const value = project.value(path);
   if (value == nullptr || value->signature.dimension != turning || !is_written_as_product(step, operand)) return;
@@ -220,9 +228,10 @@ bool names_size(std::string_view name, std::string_view letters) {
   return letters.find(name[0]) != std::string_view::npos && (name.size() == 1 || name[1] == '_');
 }
 
-/// A radius that is a quarter of a diameter: "R = =values.D/4".
+/// A radius that is a quarter of a diameter, or a crank of a quarter of the stroke: "R = =values.D/4".
 bool is_quarter(std::string_view key, std::string_view name, double share) {
-  return names_size(key, "R") && names_size(name, "dD") && is_near(0.25, share, few_digits);
+  const bool is_crank = key == "r" && (name == "s" || has_word(name, {"stroke"}));
+  return ((names_size(key, "R") && names_size(name, "dD")) || is_crank) && is_near(0.25, share, few_digits);
 }
 
 /// A diameter or a radius that is a part of the value under its own name: "D = =values.D/2" is a radius.
@@ -268,7 +277,7 @@ void compare_load(const Step& step, const Project& project, const Operand& opera
     return;
   const double stated = stated_number(project, path, field.dimension);
   const double share = most * std::abs(own_value(step, project, operand.path)) / stated;
-  if (!(share > 0.0 && share < least_share) || is_half_of_two(operand, share) ||
+  if (!(share > 0.0 && share < least_share) || is_half_of_two(step, operand, share) ||
       is_explained(step, project, operand, share))
     return;
   if (taken_in_parts(project, path, stated, field.dimension, &only_value) >= least_share * stated) return;
@@ -333,6 +342,10 @@ std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project
     const auto& references = operand.expression.references();
     const std::string& key = operand.path;
     const int safer = safer_by(step, key);
+    const bool is_meant =
+        !references.empty() &&
+        is_meant_for(references.front().path.substr(std::min(of_values.size(), references.front().path.size())), key);
+    if (safer != 0 && !is_meant) compare_load(step, project, operand, found);  // a pressure under another name
     if (safer == 0) {
       compare_load(step, project, operand, found);
       compare_product(step, project, operand, found);

@@ -60,19 +60,21 @@ double power_of(const Step& step, const Project& project) {
 }
 
 /// "P_start", or "P_fan" of the machine that is driven.
-bool is_of_peak_or_part(const std::string& name, const Project& project) {
-  return is_of_peak(name) || is_of_machine(name, project);
+bool is_of_peak_or_part(const std::string& name) {
+  constexpr std::size_t fewest_letters = 3;
+  const bool is_word = name.size() > name.rfind('_') + fewest_letters && name.find('_') != std::string::npos;
+  return is_of_peak(name) || (is_word && !is_of_other_state(name));
 }
 
 /// The load of the step that a name of [values] means; NaN if it means none.
 double meant_load(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
-  const bool is_peak = is_of_peak_or_part(name, project);
+  const bool is_peak = is_of_peak_or_part(name);
   if (dimension == of_power && (name == "P" || name == "P_1" || (is_peak && name.starts_with("P_"))))
     return power_of(step, project);
   if (dimension == of_torque && (name == "T_1" || name == "T_2")) return torque_of(step, project, name.substr(2));
   if (dimension == of_torque && (name == "T" || (is_peak && name.starts_with("T_"))))
     return std::fmax(torque_of(step, project, "1"), torque_of(step, project, "2"));
-  if (dimension == of_force && (name == "F_t" || (is_of_peak(name) && name.starts_with("F_"))))
+  if (dimension == of_force && (name == "F_t" || (is_peak && name.starts_with("F_"))))
     return std::abs(magnitude_at(project, step.name() + ".F_t"));
   return std::nan("");
 }
@@ -81,7 +83,7 @@ double meant_load(const Step& step, const Project& project, const std::string& n
 bool is_under_own_name(const Step& step, const Project& project, const std::string& name, const Dimension& dimension) {
   if (!std::isnan(own_value(step, project, name))) return true;
   const std::string load = load_of(step, project);
-  return is_of_peak_or_part(name, project) && (dimension == of_power) == (load == "P");
+  return is_of_peak_or_part(name) && (dimension == of_power) == (load == "P");
 }
 
 }  // namespace

@@ -44,16 +44,15 @@ std::string_view symbol_in(const std::string& name, const Record& record) {
   return longest;
 }
 
-/// Whether a value of [values] is named as such a load, or as one of a start, a jam or a test, or the design pressure
-/// of a vessel, or the load of a part of the machine: "F_r", "T_start", "F_max", "F_Ed", "T_fan" of T and F; other
-/// names may be notes.
-bool is_named_as_peak(const std::string& name, const std::string& symbol, const Project& project) {
+/// Whether a value of [values] is named as such a load in service, at a start, a jam or a test: "F_r", "T_start",
+/// "F_Ed", "T_fan" of T and F. Pressures of valves and of a vacuum have rules of their own, as have components: "F_a".
+bool is_named_as_load(const std::string& name, const std::string& symbol) {
   const std::size_t end = name.rfind('_');
   if (end == std::string::npos || name == symbol) return name == symbol;
-  const std::string index = name.substr(end + 1);
-  if (symbol[0] == 'q' && name[0] == 'q' && has_word(index, {"wind", "snow", "live"})) return true;
-  return is_same_letter(name[0], symbol[0]) && (is_of_peak(index) || index == "test" || index == "t" ||
-                                                (symbol == "p" ? index == "design" : is_of_machine(name, project)));
+  const bool is_component = name.size() - end <= 3 && !has_word(name.substr(end + 1), {"ed", "sd", "t"});
+  const bool is_other = (is_of_other_state(name) && !is_of_peak(name)) || is_component;
+  const bool is_of_valve = symbol == "p" && (is_of_vacuum(name) || has_word(name, {"valve", "fill", "set", "relief"}));
+  return is_same_letter(name[0], symbol[0]) && !is_other && !is_of_valve;
 }
 
 /// A stress is not a load that another one of [values] could be meant for: that may be a strength.
@@ -73,22 +72,27 @@ struct LargestLoad {
 
 /// A load that is given, or that a search finds: the largest that passes.
 double load_at(const Step& step, const Project& project, const std::string& path) {
-  const double own = std::abs(own_value(step, project, path));
-  return std::isnan(own) ? std::abs(magnitude_at(project, step.name() + "." + path)) : own;
+  double own = std::abs(own_value(step, project, path));
+  if (std::isnan(own)) own = std::abs(magnitude_at(project, step.name() + "." + path));
+  const bool is_of_power = std::isnan(own) && path == "T";
+  return is_of_power ? std::abs(own_value(step, project, "P") / own_value(step, project, "n")) : own;
+}
+
+/// Whether the load is computed from this value of [values].
+bool is_computed_from(const Step& step, const std::string& path, const std::string& value) {
+  const auto typed = step.input().reading.typed.find(path);
+  if (typed != step.input().reading.typed.end() && typed->second.shared == value) return true;
+  const Operand* const operand = step.input().reading.operand(path);
+  return operand != nullptr && std::ranges::any_of(operand->expression.references(),
+                                                   [&](const auto& reference) { return reference.path == value; });
 }
 
 /// Whether a peak is one of a value that the load is computed from: "Q_test" next to F = "=values.phi*values.Q".
 bool is_peak_of_source(const Step& step, const std::string& path, const std::string& name) {
   const std::size_t end = name.rfind('_');
-  const Operand* const operand = step.input().reading.operand(path);
   if (end == std::string::npos) return false;
-  const std::string index = name.substr(end + 1), stem = name.substr(0, end);
-  if (!is_of_peak(index) && index != "test") return false;
-  const auto typed = step.input().reading.typed.find(path);
-  if (typed != step.input().reading.typed.end() && typed->second.shared == "values." + stem) return true;
-  return operand != nullptr && std::ranges::any_of(operand->expression.references(), [&](const auto& reference) {
-           return reference.path == "values." + stem;
-         });
+  const std::string index = name.substr(end + 1);
+  return (is_of_peak(index) || index == "test") && is_computed_from(step, path, "values." + name.substr(0, end));
 }
 
 /// Whether a step has such a load, or a drive such a torque.
@@ -102,6 +106,8 @@ bool carries(const Step& step, const Project& project, const std::string& name, 
     found = found || (is_such && load_at(step, project, path) * factors >= rounded * si);
   });
   if (found || !(dimension == Dimension::of(2, 1, -2))) return found;
+  const double u = own_value(step, project, "z_2") / own_value(step, project, "z_1");
+  if (std::abs(own_value(step, project, "T_1")) * u * factors >= rounded * si) return true;  // of the wheel
   constexpr std::array torques{".T_1", ".T_2", ".T_out"};
   return std::ranges::any_of(torques, [&](const char* key) {
     return std::abs(magnitude_at(project, step.name() + key)) * factors >= rounded * si;
@@ -113,9 +119,9 @@ bool carries(const Step& step, const Project& project, const std::string& name, 
 bool is_carried(const Step& step, const Project& project, const std::string& name, double si,
                 const Dimension& dimension) {
   const bool is_peak = is_of_peak(name);
-  if (!is_peak && !is_of_machine(name, project)) return false;
   return std::ranges::any_of(project.steps, [&](const auto& other) {
-    return (!is_peak || (other.get() != &step && id_of(*other) == id_of(step))) &&
+    const bool is_alike = other.get() != &step && id_of(*other) == id_of(step);
+    return (is_alike || !(is_peak || id_of(step) == "mechanism.planar")) &&
            carries(*other, project, name, si, dimension);
   });
 }
@@ -125,7 +131,7 @@ LargestLoad largest_load(const Step& step, const Project& project, const std::st
   LargestLoad largest;
   const std::string_view symbol = symbol_in(name, step.input().reading.record);
   for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-    const bool is_meant = is_named_as_peak(name, leaf.field->key, project) || is_peak_of_source(step, path, name);
+    const bool is_meant = is_named_as_load(name, leaf.field->key) || is_peak_of_source(step, path, name);
     if (!symbol.empty() && stem_of_key(leaf.field->key) != symbol) return;
     if (!is_comparable(*leaf.field) || !is_meant || !(leaf.field->dimension == dimension)) return;
     const double si = load_at(step, project, path);
@@ -179,28 +185,37 @@ bool bends_a_bar(std::string_view name, const Dimension& dimension) {
                       dimension == Dimension::of(0, 1, -2));
 }
 
+/// "q_wind", "M_bend", "M_b_max" next to a step without such a load.
+bool is_component_by_word(std::string_view name) {
+  return is_component(name) || name.starts_with("q_") || has_word(name, {"bend", "bending"});
+}
+
 /// A component under the name of an input that is not given, if no other step has it; or a bending moment of a shaft
 /// that is assessed in torsion only.
 void compare_component(const Step& step, const Project& project, const std::string& name, const Value& value,
                        std::vector<ReducedLoad>& found) {
   const double si = std::abs(value.si.front());
-  const FieldInfo* const field = find_field(step.input().calculator->input->fields, name);
+  const FieldInfo* const same = find_field(step.input().calculator->input->fields, name);
+  const FieldInfo* const line = find_field(step.input().calculator->input->fields, "q_z");
+  const FieldInfo* const field = same == nullptr && name.starts_with("q_") ? line : same;
   const bool is_input = field != nullptr && is_comparable(*field) && field->dimension == value.signature.dimension;
-  const bool is_bending =
-      name == "M_b" && id_of(step) == "shaft.torsion" && value.signature.dimension == Dimension::of(2, 1, -2);
+  const bool is_bending = (name == "M_b" || has_word(name, {"bend", "bending"})) && id_of(step) == "shaft.torsion" &&
+                          value.signature.dimension == Dimension::of(2, 1, -2);
   if (si == 0.0 || !(is_input || is_bending)) return;
+  const std::string key = is_input ? field->key : name;
   const auto has_it = [&](const auto& other) {
     if (other.get() == &step) return false;
     if (is_bending && (id_of(*other) == "shaft.design" || id_of(*other) == "shaft.overhung")) return true;
-    return std::abs(own_value(*other, project, name)) >= si;
+    return std::abs(own_value(*other, project, key)) >= si;
   };
-  if (std::ranges::any_of(project.steps, has_it)) return;
+  if (std::ranges::any_of(project.steps, has_it) || std::abs(own_value(step, project, key)) >= si) return;
   if (is_bending)
-    return found.push_back({"T", say("values.M_b acts on no step, and bending is not assessed here: replace this with "
-                                     "a step of shaft.design or shaft.overhung, or because.T = \"...\"")});
-  found.push_back({name, say("values.{1} = {2} acts on no step, and {1} is not given here: refer to it, delete it, or "
-                             "justify it: because.{1} = \"...\"",
-                             name, format_quantity(si, field->unit, 4))});
+    return found.push_back({"T", say("values.{1} acts on no step, and bending is not assessed here: replace this with "
+                                     "a step of shaft.design or shaft.overhung, or because.T = \"...\"",
+                                     name)});
+  found.push_back({key, say("values.{1} = {2} acts on no step, and {3} is not given here: refer to it, delete it, or "
+                            "justify it: because.{3} = \"...\"",
+                            name, format_quantity(si, field->unit, 4), key)});
 }
 
 /// "thrust", "F_ax_fan": forces along the axis by their words.
@@ -232,12 +247,21 @@ bool is_on_shaft(const Step& shaft, const Project& project, const std::string& n
          });
 }
 
+bool says_axial(std::string_view doc) { return doc.find("axial force") != std::string_view::npos; }
+
 /// An axial force above those that the mounted components of a shaft have.
 void compare_axial(const Step& step, const Project& project, const std::string& name, const Value& value,
                    std::vector<ReducedLoad>& found) {
   const double si = std::abs(value.si.front());
-  if (id_of(step) != "shaft.design" || !is_axial(name, value.signature.dimension) || si <= axial_force(step, project))
-    return;
+  if (!is_axial(name, value.signature.dimension) || si <= axial_force(step, project)) return;
+  for (const FieldInfo& field : step.input().calculator->input->fields) {
+    const bool is_along = field.is_load && field.dimension == value.signature.dimension && says_axial(field.doc);
+    if (!is_along || load_at(step, project, field.key) > 0.0) continue;
+    return found.push_back({field.key, say("values.{1} acts on no step, and {2} is not given here: refer to it, delete "
+                                           "it, or justify it: because.{2} = \"...\"",
+                                           name, field.key)});
+  }
+  if (id_of(step) != "shaft.design") return;
   found.push_back({"seats", say("values.{1} acts on no step, and no mounted component has this axial force: refer to "
                                 "it, delete it, or justify it: because.seats = \"...\"",
                                 name)});
@@ -286,7 +310,7 @@ std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project
     if (std::abs(own_value(step, project, name)) >= si) continue;  // it has the value under its own name
     compare_axial(step, project, name, value, found);
     if (own.path.empty()) compare_bending(step, project, name, value, found);
-    if (own.path.empty() && is_component(name)) compare_component(step, project, name, value, found);
+    if (own.path.empty() && is_component_by_word(name)) compare_component(step, project, name, value, found);
     if (own.path.empty() || !(si > own.si) || si > implausible_ratio * own.si) continue;
     if (name != own.path && is_carried(step, project, name, si, value.signature.dimension)) continue;
     const std::string key = own.path.substr(0, own.path.find_first_of(".["));

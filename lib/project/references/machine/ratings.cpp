@@ -75,6 +75,7 @@ class RatingCheck {
       compare_mate(*shaft);
     }
     for (const char* const number : {"1", "2"}) compare_deflection(number);
+    compare_face();
     compare_cycles(step_);
     for (const auto& pair : project_.steps) {
       if (!pairs_.contains(pair->name())) continue;
@@ -87,6 +88,17 @@ class RatingCheck {
  private:
   static constexpr double drawn = 0.02;         // of the span: accuracy of a place midway
   static constexpr double drawn_factor = 1e-3;  // of K_A: rounding
+
+  /// Face widths are at most 1.6 pitch diameters of the pinion (common practice, recalled): beyond 2, the load
+  /// distribution of the standards does not apply.
+  void compare_face() {
+    constexpr double most = 2.0;
+    const double b = own_value(step_, project_, "b");
+    const double d_1 = own_value(step_, project_, "m_n") * own_value(step_, project_, "z_1");
+    if (b > most * d_1)
+      add("b", say("b = {1} is more than {2} times m_n z_1 = {3}; justify it: because.b = \"...\"",
+                   format_quantity(b, "mm", 4), format_number(most, 2), format_quantity(d_1, "mm", 4)));
+  }
 
   void add(const char* path, Message message) { found_.push_back({path, std::move(message)}); }
 

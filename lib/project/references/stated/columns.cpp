@@ -30,7 +30,8 @@ double largest_of(const Step& step, const Project& project, std::initializer_lis
 }
 
 bool is_eccentricity(const std::string& name) {
-  return name == "e" || name == "e_0" || name == "ecc" || has_word(name, {"eccentricity"});
+  return name == "e" || name == "e_0" || name == "ecc" ||
+         (name.starts_with("e_") && name.size() > 3 && !is_of_other_state(name)) || has_word(name, {"eccentricity"});
 }
 
 /// "l_eff", "L_cr": a length with its effective length factor.

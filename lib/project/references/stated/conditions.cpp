@@ -48,6 +48,7 @@ class Conditions {
       compare_surroundings(name, word);
       const bool is_free = word == "none" || word == "no" || word == "free" || word == "missing";
       if (is_free && has_only_words(name, {"restraint", "restraints", "bracing", "braces"})) compare_loading(name);
+      if (is_free || word == "dry") compare_lubrication(name);
     }
     return std::move(found_);
   }
@@ -93,7 +94,8 @@ class Conditions {
 
   /// "weld_factor = 0.85" next to a seam of 1.
   void compare_seam(const std::string& name, double si) {
-    if (!has_word(name, {"weld", "seam", "joint"}) || !has_word(name, {"factor", "efficiency", "coefficient"})) return;
+    const bool is_of_seam = has_word(name, {"weld", "seam", "joint"});
+    if (!is_of_seam || !has_word(name, {"factor", "efficiency", "coefficient", "z", "eta", "v", "phi", "e"})) return;
     if (field("z_l") == nullptr || !(si > 0.0 && si < (1.0 - in_few_digits) * own("z_l"))) return;
     add_number(name, si, "z_l", own("z_l"));
   }
@@ -143,18 +145,28 @@ class Conditions {
       if (one.is_load && !one.dimension.is_number() && reading.typed.contains(one.key) && !is_of_step(one.key))
         return one.key;
     }
-    return {};
+    return id_ == "shaft.design" ? "seats" : std::string();
   }
 
   /// A load or a position of the whole machine, by words without the name of a part: "wind", "tilt_angle". "F_wind" and
   /// "q_snow" may be carried by another structure.
   [[nodiscard]] static bool is_of_surroundings(const std::string& name) {
     const bool is_meant = has_word(name, {"wind", "gust", "snow", "ice", "seismic", "earthquake", "tilt", "sway",
-                                          "unbalance", "imbalance", "misalignment", "settlement"});
+                                          "unbalance", "imbalance", "misalignment", "settlement", "sling", "slings"});
     return is_meant &&
            has_only_words(name, {"wind",     "gust",  "snow",      "ice",       "seismic",      "earthquake", "tilt",
                                  "sway",     "angle", "unbalance", "imbalance", "misalignment", "settlement", "load",
-                                 "pressure", "force", "moment",    "speed",     "max",          "design"});
+                                 "pressure", "force", "moment",    "speed",     "max",          "design",     "e",
+                                 "alpha",    "beta",  "sling",     "slings",    "leg"});
+  }
+
+  /// Chains, gears and bearings are rated with a lubricant.
+  void compare_lubrication(const std::string& name) {
+    const bool is_lubricated = id_.starts_with("chain.") || id_.starts_with("gear.") || id_ == "bearing.rolling";
+    if (!is_lubricated || !has_only_words(name, {"lubrication", "lubricant", "oil", "grease"})) return;
+    for (const char* const key : {"P", "T_1", "F_r", "z_1"}) {
+      if (step_.input().reading.typed.contains(key)) return add_unused(name, key);
+    }
   }
 
   void compare_loading(const std::string& name) {
@@ -254,7 +266,7 @@ class Conditions {
   void compare_overspeed(const std::string& name, double si) {
     constexpr double most = 3.0;
     const bool is_most = name == "n_max" && (id_ == "machine.disc" || id_ == "shaft.press_fit");
-    if (!(is_most || has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin", "top"})) ||
+    if (!(is_most || has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin", "top", "fast"})) ||
         field("n") == nullptr)
       return;
     const auto has_it = [&](const auto& one) { return std::abs(own_value(*one, project_, "n")) >= si * (1.0 - 1e-3); };

@@ -6,6 +6,7 @@
 namespace loadpath::project::stated {
 
 inline constexpr double in_few_digits = 1e-3;  // of values with few digits
+inline constexpr double rounded = 0.02;        // of values that are rounded elsewhere
 
 inline const Dimension length = Dimension::of(1, 0, 0);
 inline const Dimension mass = Dimension::of(0, 1, 0);

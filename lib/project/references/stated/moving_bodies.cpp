@@ -153,7 +153,8 @@ class Bodies {
 
   /// A spring next to a mechanism without one.
   void compare_spring(const std::string& name) {
-    const bool is_spring = has_word(name, {"spring", "springs"}) || name == "k" || name == "c_spring";
+    const bool is_spring = has_word(name, {"spring", "springs"}) || name == "k" ||
+                           (name.starts_with("k_") && !is_of_other_state(name)) || name == "c_spring";
     const auto& typed = step_.input().reading.typed;
     const bool has_springs =
         std::ranges::any_of(typed, [](const auto& entry) { return entry.first.starts_with("springs"); });

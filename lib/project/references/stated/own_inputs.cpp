@@ -1,9 +1,11 @@
 #include "lib/project/references/stated/own_inputs.hpp"
 
-#include "lib/calculator/strength_bounds.hpp"
+#include "lib/project/references/agreement/stated_names.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/references/stated/dimensions.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/table/largest.hpp"
+#include "lib/table/tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +59,6 @@ std::string word_at(const Step& step, const std::string& key) {
   const auto k = static_cast<std::size_t>(leaf.get());
   return k < leaf.field->choices.size() ? leaf.field->choices[k].key : std::string();
 }
-
-bool is_strength(std::string_view what) { return strength_bound_of(what) != nullptr; }
 
 /// Sizes and masses: their names are those of many parts.
 bool is_of_body(const Dimension& dimension) {
@@ -184,16 +184,20 @@ class OwnInputs {
   }
 
   void compare_word(const std::string& name, const std::string& word) {
-    if (name == "material") return compare_material(word);
-    const FieldInfo* const field = input_of(step_, name);
+    if (has_word(name, {"material", "steel", "grade"})) compare_material(name, word);
+    if (word == "yes" || word == "true") compare_sense(name, name, word);
+    if (word == "reversing" || word == "alternating") compare_sense(name, word, word);
+    const FieldInfo* const own = input_of(step_, name);
+    const FieldInfo* const field = own == nullptr ? input_of(step_, name + "_1") : own;  // of two parts
     if (field == nullptr || field->type != FieldInfo::Type::choice) return;
     const bool is_choice = std::ranges::any_of(field->choices, [&](const auto& one) { return word == one.key; });
-    const std::string here = word_at(step_, name);
-    const bool is_elsewhere =
-        std::ranges::any_of(project_.steps, [&](const auto& other) { return word_at(*other, name) == word; });
+    const std::string here = word_at(step_, field->key);
+    const bool is_elsewhere = std::ranges::any_of(project_.steps, [&](const auto& other) {
+      return word_at(*other, field->key) == word || word_at(*other, name + "_2") == word;
+    });
     const bool is_finer = name == "finish" && (word == "ground" || word == "polished");
     if (!is_choice || here == word || is_elsewhere || is_of_row(name) || is_finer) return;
-    add(name, word, here.empty() ? say("is not given here") : say("is {1} here", here));
+    add_word(name, word, *field);
   }
 
   /// Whether a row has the word: the kind of a rolling bearing.
@@ -202,16 +206,43 @@ class OwnInputs {
     return name == "kind" && rows.contains("bearing") && !step_.input().reading.typed.contains(name);
   }
 
-  /// The name of a material that no step has.
-  void compare_material(const std::string& word) {
+  /// The name of a material that no step has, and whose strength is below that of the step.
+  void compare_material(const std::string& name, const std::string& word) {
     const std::string here = material_of(step_);
     const bool is_elsewhere =
         std::ranges::any_of(project_.steps, [&](const auto& other) { return material_of(*other) == word; });
-    if (!here.empty() && !is_elsewhere && input_of(step_, "R_e") != nullptr)
-      found_.push_back(
-          {"R_e", say("values.material = {1} acts on no step, and the material is {2} here: refer to it, delete "
-                      "it, or justify it: because.R_e = \"...\"",
-                      word, here)});
+    const auto row = project_.tables->find_row("material", word);
+    if (is_elsewhere || (!row && (here.empty() || name != "material"))) return;
+    const double R_e = row ? table::largest_value(*row, "R_e") : 0.0,
+                 R_m = row ? table::largest_value(*row, "R_m") : 0.0;
+    for (const char* const key : {"R_e", "R_e_2", "R_e_1", "R_eN", "f_y_1", "R_m"}) {
+      const double own = input_of(step_, key) == nullptr ? std::nan("") : known(step_, project_, key);
+      const double there = std::isnan(R_e) || std::string_view(key) == "R_m" ? R_m : R_e;
+      const bool is_other = name == "material" && !here.empty() && own > 0.0;
+      if (!(own > (1.0 + in_few_digits) * there) && !is_other) continue;
+      return found_.push_back(
+          {key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, "
+                    "or justify it: because.{3} = \"...\"",
+                    name, word, key, format_quantity(own, "MPa", 4))});
+    }
+  }
+
+  /// "reversing = yes" or "duty = reversing" next to torque = "one_way".
+  void compare_sense(const std::string& name, const std::string& choice, const std::string& word) {
+    for (const FieldInfo& field : step_.input().calculator->input->fields) {
+      if (field.type != FieldInfo::Type::choice || !step_.input().reading.typed.contains(field.key)) continue;
+      const bool is_choice = std::ranges::any_of(field.choices, [&](const auto& one) { return choice == one.key; });
+      const auto has_it = [&](const auto& other) { return word_at(*other, field.key) == choice; };
+      if (is_choice && std::ranges::none_of(project_.steps, has_it)) add_word(name, word, field);
+    }
+  }
+
+  void add_word(const std::string& name, const std::string& word, const FieldInfo& field) {
+    const std::string here = word_at(step_, field.key);
+    found_.push_back(
+        {field.key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or "
+                        "justify it: because.{3} = \"...\"",
+                        name, word, field.key, here.empty() ? "not given" : here)});
   }
 
   [[nodiscard]] static std::string shown(const FieldInfo& field, double si) {

@@ -1,5 +1,6 @@
 #include "lib/project/references/stated/requirements.hpp"
 
+#include "lib/project/references/agreement/stated_names.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/references/stated/dimensions.hpp"
 #include "lib/quantity/format.hpp"
@@ -52,6 +53,15 @@ class Requirements {
   }
 
  private:
+  /// "tau_adm" of "tau_zul", "sigma_lim": the usual name of an allowable value under other words.
+  [[nodiscard]] static std::string usual_name(const std::string& name) {
+    constexpr std::array<std::string_view, 6> endings{"_zul", "_perm", "_allow", "_allowable", "_lim", "_permissible"};
+    for (const std::string_view ending : endings) {
+      if (name.ends_with(ending)) return name.substr(0, name.size() - ending.size()) + "_adm";
+    }
+    return name;
+  }
+
   [[nodiscard]] double own(const std::string& key) const { return own_value(step_, project_, key); }
   [[nodiscard]] static const FieldInfo* input_of(const Step& step, std::string_view key) {
     return find_field(step.input().calculator->input->fields, key);
@@ -71,7 +81,7 @@ class Requirements {
 
   /// "p_adm_bush" below all allowable values of its kind in the file.
   void compare_allowable(const std::string& name, double si, const Dimension& dimension) {
-    const std::string stem = stem_of(name);
+    const std::string stem = stem_of(usual_name(name));
     if (stem.empty() || input_of(step_, name) != nullptr || !(si > 0.0)) return;
     const auto [field, here] = least_allowable(step_, stem, dimension);
     if (field == nullptr || !(si < (1.0 - in_few_digits) * here)) return;
@@ -89,10 +99,12 @@ class Requirements {
     if (si > (1.0 + in_few_digits) * own(key)) add(name, si, *field, own(key));
   }
 
-  /// "U" outside of "U_min" to "U_max".
+  /// "U", "U_worn" outside of "U_min" to "U_max".
   void compare_range(const std::string& name, double si, const Dimension& dimension) {
-    const FieldInfo* const low = input_of(step_, name + "_min");
-    const FieldInfo* const high = input_of(step_, name + "_max");
+    const std::string symbol = name.substr(0, name.find('_'));
+    if (has_word(name, {"min", "max"})) return;
+    const FieldInfo* const low = input_of(step_, symbol + "_min");
+    const FieldInfo* const high = input_of(step_, symbol + "_max");
     if (low == nullptr || high == nullptr || !(low->dimension == dimension) || low->is_load) return;
     const double least = own(low->key), most = own(high->key);
     if (si < (1.0 - in_few_digits) * least) add(name, si, *low, least);

@@ -5,6 +5,7 @@
 #include "lib/project/references/stated/dimensions.hpp"
 #include "lib/quantity/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -91,8 +92,16 @@ class RowCheck {
         square += component * component, last = at + key;
       }
       const double si = std::abs(value.si.front()), here = std::sqrt(square);
-      if (!last.empty() && si > (1.0 + few_digits) * here) add(last, name, si, here, force, "N");
+      if (si <= (1.0 + few_digits) * here || !is_mounted(at)) continue;
+      add(last.empty() ? at + "F_x" : last, name, si, here, force, "N");
     }
+  }
+
+  /// A mounted component that takes no load of another step.
+  [[nodiscard]] bool is_mounted(const std::string& at) const {
+    const auto& records = step_.input().reading.records;
+    return at.starts_with("seats") &&
+           std::ranges::none_of(records, [&](const Taken& record) { return record.path == at + "load"; });
   }
 
   void add(const std::string& path, const std::string& name, double stated, double here, const Dimension& dimension,

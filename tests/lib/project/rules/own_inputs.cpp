@@ -61,7 +61,10 @@ TEST_SUITE("project: inputs stated otherwise") {
   TEST_CASE("the name of a material that no step has") {
     const std::string steel = with_lines(column(), "material = \"S355\"");
     check(steel, {{"material = \"S235\"", "R_e"}, {"material = \"S355\"", ""}});
-    check(with_lines(column(), "material =\nE = \"210 GPa\"\nR_e = \"355 MPa\""), {{"material = \"S235\"", ""}});
+    check(with_lines(column(), "material =\nE = \"210 GPa\"\nR_e = \"355 MPa\""), {{"material = \"S235\"", "R_e"},
+                                                                                   {"steel = \"S235\"", "R_e"},
+                                                                                   {"steel = \"S460\"", ""},
+                                                                                   {"steel = \"any\"", ""}});
     check(steel + "\n" + renamed(with_lines(column(), "material = \"S235\""), "other"), {{"material = \"S235\"", ""}});
   }
 
@@ -158,7 +161,7 @@ TEST_SUITE("project: rows stated otherwise") {
                   {"F_gear = \"1000 N\"", ""},
                   {"F_gear = \"1700 N*m\"", ""},
                   {"F_pulley = \"1700 N\"", ""},
-                  {"F_coupling = \"1700 N\"", ""}});
+                  {"F_coupling = \"1700 N\"", "seats.coupling.F_x"}});
   }
 
   TEST_CASE("masses and inertias of a component") {

@@ -1,0 +1,143 @@
+#include "lib/project/references/stated/qualified.hpp"
+
+#include "lib/project/references/agreement/stated_names.hpp"
+#include "lib/project/references/origins.hpp"
+#include "lib/project/references/stated/dimensions.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace loadpath::project {
+
+namespace {
+
+/// Of which side the step is unsafe: where it has less than a demand of [values], or more than is available.
+enum class Kind { other, demand, capacity };
+
+/// The symbol of a key without the index of one of several parts: "H" of "H_1", "H_B" of "H_B2", "S_F" of "S_Fmin"; of
+/// strengths that of other standards.
+std::string_view symbol_of(std::string_view key) {
+  if (key == "sigma_B" || key == "R_mN") return "R_m";
+  if (key == "sigma_S" || key == "R_eN") return "R_e";
+  if (key.starts_with("S_") && key.ends_with("min")) return key.substr(0, key.size() - 3);
+  if (key.size() < 2 || key.back() < '1' || key.back() > '9') return key;
+  key.remove_suffix(1);
+  return key.ends_with('_') ? key.substr(0, key.size() - 1) : key;
+}
+
+bool is_one_of(std::string_view symbol, std::initializer_list<std::string_view> symbols) {
+  return std::ranges::find(symbols, symbol) != symbols.end();
+}
+
+Kind kind_of(const Step& step, const FieldInfo& field) {
+  const std::string_view symbol = symbol_of(field.key), id = id_of(step);
+  const bool is_number = field.dimension.is_number();
+  const bool is_strong = symbol.ends_with("_adm") || is_one_of(symbol, {"R_e", "R_m", "f_y", "f_u", "H_B", "F_B", "F_u",
+                                                                        "P_R", "P_b", "C_0", "z_l", "Q_v", "delta"});
+  if (is_strong || (symbol == "H" && id.starts_with("gear.")) || (symbol == "C" && id == "bearing.rolling") ||
+      means(*step.input().calculator, field.key, &is_strength))
+    return Kind::capacity;
+  const bool is_safety = symbol == "S" || symbol == "n_st" || symbol == "s_0" || symbol.starts_with("S_");
+  const bool is_required = symbol == "L_h" || symbol == "L_req" || symbol == "n_req" || symbol == "grade" ||
+                           (symbol == "c" && id.starts_with("vessel.")) || (field.is_factor && is_number) ||
+                           (field.is_load && (symbol.starts_with("sigma_") || symbol.starts_with("tau_")));
+  return is_required || (is_safety && is_number) ? Kind::demand : Kind::other;
+}
+
+/// The words behind the symbol of a name; empty if it does not begin with it.
+std::string_view words_behind(std::string_view name, std::string_view symbol) {
+  const bool is_meant = name.size() > symbol.size() + 2 && name.starts_with(symbol) && name[symbol.size()] == '_';
+  return is_meant ? name.substr(symbol.size() + 1) : std::string_view();
+}
+
+/// Whether the words mean another value than that of the part: the hardness of a core, a required rating.
+bool is_of_another(std::string_view words, Kind kind) {
+  if (kind == Kind::demand) return is_of_other_state(words) && !has_word(words, {"min", "least"});
+  return has_word(words, {"core", "max", "upper", "ultimate"});
+}
+
+/// The input of a step with this symbol that is furthest on the safe side.
+struct Safest {
+  const FieldInfo* field = nullptr;
+  double si = std::nan("");
+};
+
+class Qualified {
+ public:
+  Qualified(const Step& step, const Project& project) : step_(step), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    for (const auto& [name, value] : project_.values.unused()) compare(name, value);
+    return std::move(found_);
+  }
+
+ private:
+  /// The longest symbol of an input that the name begins with, and its kind.
+  [[nodiscard]] std::pair<std::string_view, Kind> symbol_in(const std::string& name, const Dimension& dimension) const {
+    std::pair<std::string_view, Kind> longest{{}, Kind::other};
+    for (const FieldInfo& field : step_.input().calculator->input->fields) {
+      const std::string_view symbol = symbol_of(field.key);
+      if (!(field.is_number() || field.type == FieldInfo::Type::count) || !(field.dimension == dimension)) continue;
+      const bool is_meant = !words_behind(name, symbol).empty() || !words_behind(name, field.key).empty();
+      if (symbol.size() > longest.first.size() && is_meant) longest = {symbol, kind_of(step_, field)};
+    }
+    return longest;
+  }
+
+  [[nodiscard]] Safest safest(const Step& step, std::string_view symbol, Kind kind, const Dimension& dimension) const {
+    Safest safest;
+    for (const FieldInfo& field : step.input().calculator->input->fields) {
+      if (symbol_of(field.key) != symbol || !(field.dimension == dimension)) continue;
+      const double own = own_value(step, project_, field.key);
+      const double si = std::isnan(own) ? magnitude_at(project_, step.name() + "." + field.key) : own;
+      const bool is_safer = kind == Kind::demand ? !(si <= safest.si) : !(si >= safest.si);
+      if (!std::isnan(si) && is_safer) safest = {&field, si};
+    }
+    return safest;
+  }
+
+  [[nodiscard]] static bool covers(const Safest& one, double stated, Kind kind) {
+    return kind == Kind::demand ? one.si >= (1.0 - stated::rounded) * stated
+                                : one.si <= (1.0 + stated::rounded) * stated;
+  }
+
+  void compare(const std::string& name, const Value& value) {
+    const Dimension& dimension = value.signature.dimension;
+    const auto is_input = [&](const auto& one) {
+      return find_field(one->input().calculator->input->fields, name) != nullptr;
+    };
+    const auto [symbol, kind] = symbol_in(name, dimension);
+    const bool is_required_rating = symbol != "delta" && kind == Kind::capacity && has_word(name, {"req", "required"});
+    if (is_required_rating || (symbol == "delta" && !dimension.is_number())) return;
+    const double stated = value.si.front();
+    if (kind == Kind::other || std::ranges::any_of(project_.steps, is_input) || !(stated > 0.0)) return;
+    if (is_of_another(name.substr(symbol.size()), kind)) return;
+    const Safest here = safest(step_, symbol, kind, dimension);
+    const auto has_it = [&, symbol = symbol, kind = kind](const auto& one) {
+      return covers(safest(*one, symbol, kind, dimension), stated, kind);
+    };
+    if (here.field == nullptr || std::ranges::any_of(project_.steps, has_it)) return;
+    const auto shown = [&](double si) {
+      return dimension.is_number() ? format_number(si, 5) : format_quantity(si, here.field->unit, 5);
+    };
+    found_.push_back({here.field->key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete "
+                                           "it, or justify it: because.{3} = \"...\"",
+                                           name, shown(stated), here.field->key, shown(here.si))});
+  }
+
+  const Step& step_;
+  const Project& project_;
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> symbols_stated_otherwise(const Step& step, const Project& project) {
+  return Qualified(step, project).run();
+}
+
+}  // namespace loadpath::project

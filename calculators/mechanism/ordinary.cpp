@@ -71,14 +71,14 @@ bool is_plain(const Solved& solved) {
 constexpr std::array settled{&aspects::closing, &aspects::equations, &aspects::changes_of_assembly};
 
 /// An aspect whose verdicts depend on numbers.
-bool judges_anew(const Aspect& aspect) {
+bool depends_on_numbers(const Aspect& aspect) {
   return aspect.judge != nullptr && aspect.find == nullptr && std::ranges::find(settled, &aspect) == settled.end();
 }
 
-Verdicts judged_anew(const Solved& solved) {
+Verdicts verdicts_of_numbers(const Solved& solved) {
   Verdicts verdicts;
   for (const Aspect* aspect : all_aspects()) {
-    if (judges_anew(*aspect)) aspect->judge(solved, verdicts);
+    if (depends_on_numbers(*aspect)) aspect->judge(solved, verdicts);
   }
   return verdicts;
 }
@@ -165,7 +165,7 @@ struct Ordinary::Parts {
       : by_forces(read_forces_alone(asked) && !has_limits_of_places(solved.in)),
         columns(solved.given, solved.cycle.positions.size(), by_forces ? sizes : everything),
         modes(account.modes),
-        verdicts(judged_anew(solved)),
+        verdicts(verdicts_of_numbers(solved)),
         wanted(std::move(asked)) {}
 
   void lay_cycle(const Solved& solved);
@@ -319,7 +319,7 @@ bool Ordinary::Parts::solve(const Mechanism::Input& in, const mechanism::Model& 
   take_schedule(in, axis);
   if (drives.size() != cycle.positions.size() || !run(in)) return false;
   Solved solved{step, in, structure, model, model, cycle, cycle, kinematics, &axis};
-  return are_alike(judged_anew(solved), verdicts) && is_proved(in, model) && write_account(solved, account);
+  return are_alike(verdicts_of_numbers(solved), verdicts) && is_proved(in, model) && write_account(solved, account);
 }
 
 Ordinary::Ordinary(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}

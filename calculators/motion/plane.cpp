@@ -67,7 +67,7 @@ Plane::Kind kind_of(const Input& in, const Result& r) {
 }
 
 template <class Tracer>
-void tell_A(const Input& in, Tracer& trace) {
+void trace_A(const Input& in, Tracer& trace) {
   trace.value("x_A", in.A.x, "position of A");
   trace.value("y_A", in.A.y, "position of A");
 }
@@ -77,7 +77,7 @@ void find_pole(const Input& in, Result& r, Tracer& trace) {
   const auto x_A = in.A.x, y_A = in.A.y;
   const Speed v_Ax = without_rounding(in_si(in.v_A) * cos(in.alpha_A), in_si(in.v_A)) * m_per_s;
   const Speed v_Ay = without_rounding(in_si(in.v_A) * sin(in.alpha_A), in_si(in.v_A)) * m_per_s;
-  tell_A(in, trace);
+  trace_A(in, trace);
   trace.value("v_Ax", v_Ax, "v_A along x");
   trace.value("v_Ay", v_Ay, "v_A along y");
   STEP_TO(r, x_P, x_A - v_Ay / r.omega, "on the perpendicular to the velocity of A, [B29]");
@@ -100,7 +100,7 @@ void find_pole_of_accelerations(const Input& in, Result& r, Tracer& trace) {
   const auto x_A = in.A.x, y_A = in.A.y;
   STEP(D, pow<4>(r.omega) + r.epsilon * r.epsilon, "square of the acceleration per distance");
   if (in_si(D) == 0.0) return;
-  if (r.kind != Plane::Kind::rotation) tell_A(in, trace);
+  if (r.kind != Plane::Kind::rotation) trace_A(in, trace);
   STEP_TO(r, x_Q, x_A + in.a_A * (r.omega * r.omega * cos(in.alpha_aA) - r.epsilon * sin(in.alpha_aA)) / D,
           "the point without acceleration");
   STEP_TO(r, y_Q, y_A + in.a_A * (r.omega * r.omega * sin(in.alpha_aA) + r.epsilon * cos(in.alpha_aA)) / D,

@@ -49,15 +49,15 @@ template <class C>
 constexpr Sizing sizing_of() {
   using Input = typename C::Input;
   return {C::sized,
-          [](const void* in, std::span<Sought> all, std::size_t way) {
+          [](const void* in, std::span<OpenSize> all, std::size_t way) {
             return C::arrange(*static_cast<const Input*>(in), all, way);
           },
-          [](const void* in, std::span<Sought> all) { return C::raise(*static_cast<const Input*>(in), all); },
+          [](const void* in, std::span<OpenSize> all) { return C::raise(*static_cast<const Input*>(in), all); },
           [](const void* in) { return C::cost(*static_cast<const Input*>(in)); },
           [](const void* in, std::string_view list, const void* element) {
             return C::place(*static_cast<const Input*>(in), list, element);
           },
-          [](const void* in, std::span<const Sought> all, std::size_t which) {
+          [](const void* in, std::span<const OpenSize> all, std::size_t which) {
             return C::unsound(*static_cast<const Input*>(in), all, which);
           }};
 }

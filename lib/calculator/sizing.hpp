@@ -10,7 +10,7 @@
 namespace loadpath {
 
 /// One of them: the element that it is of, and which of its sizes it is now.
-struct Sought {
+struct OpenSize {
   const void* owner = nullptr;
   const char* stock = "";              // default stock, if the user names none; empty: that of the field
   std::size_t note = 0;                // index among the calculator's own notes, from `arrange` on
@@ -25,9 +25,9 @@ struct Sizing {
   const char* list = "";  // "pieces"; empty: it has no such list
   /// Before the search: sets stocks, notes, and groups of equal size, in one of the possible arrangements; false if
   /// there are no more. All arrangements have the same stocks, and the same groups.
-  bool (*arrange)(const void* input, std::span<Sought> sought, std::size_t way) = nullptr;
+  bool (*arrange)(const void* input, std::span<OpenSize> sought, std::size_t way) = nullptr;
   /// Raises each no further than the others and the given inputs require; false if no size is large enough.
-  bool (*raise)(const void* input, std::span<Sought> sought) = nullptr;
+  bool (*raise)(const void* input, std::span<OpenSize> sought) = nullptr;
   /// The objective that the search minimises, at the current sizes of the input: a volume. Without a list: that of
   /// sizes of the part itself that are searched for together, an area; null: each in turn is the smallest.
   double (*cost)(const void* input) = nullptr;
@@ -35,7 +35,7 @@ struct Sizing {
   /// nullptr if there is none. These checks depend only on the sizes of that element and of its neighbours.
   const void* (*place)(const void* input, std::string_view list, const void* element) = nullptr;
   /// The fault of one size given the others; empty if there is none.
-  Message (*fault)(const void* input, std::span<const Sought> sought, std::size_t which) = nullptr;
+  Message (*fault)(const void* input, std::span<const OpenSize> sought, std::size_t which) = nullptr;
 };
 
 }  // namespace loadpath

@@ -35,7 +35,7 @@ double area_of_walls(const SectionShape& s) {
   return SectionShape::unknown;
 }
 
-Misfit misfit(const Most& bound) {
+Inconsistency misfit(const Most& bound) {
   return {bound.key, say("{1} = {2} is more than {3}: {4}", bound.key, format_quantity(bound.value, bound.unit, 5),
                          format_quantity(bound.most, bound.unit, 5), bound.why)};
 }
@@ -85,7 +85,7 @@ double minimum_of_legs(const SectionShape& s) {
 
 /// Upper bounds of torsion and warping constants, plastic moduli and the minimum moment. By Cauchy and Schwarz the
 /// first moment of the area about an axis is at most the root of A I.
-std::optional<Misfit> misfit_of_constants(const SectionShape& s) {
+std::optional<Inconsistency> misfit_of_constants(const SectionShape& s) {
   constexpr double off_centre = 1.15;  // of the axis that halves the area; fillets
   constexpr double most_twist = 1.5;   // over the strips of an open section, all as thick as its thickest wall
   const double t = std::fmax(s.t_w, s.t_f), lever = s.h - (std::isnan(s.t_f) ? 0.0 : s.t_f);
@@ -108,7 +108,7 @@ std::optional<Misfit> misfit_of_constants(const SectionShape& s) {
 }
 
 /// The first wall that is thicker than there is room for.
-std::optional<Misfit> misfit_of_walls(const SectionShape& s) {
+std::optional<Inconsistency> misfit_of_walls(const SectionShape& s) {
   const bool hollow = s.kind == "hot_hollow" || s.kind == "cold_hollow" || s.kind == "welded_box";
   const std::array bounds{Most{"t_f", "mm", s.t_f, 0.5 * s.h, "half the height"},
                           Most{"t_w", "mm", s.t_w, hollow ? 0.5 * s.b : s.b, hollow ? "half the width" : "the width"},
@@ -125,7 +125,7 @@ std::optional<Misfit> misfit_of_walls(const SectionShape& s) {
 /// 1/158 (isotropic constants of plane bodies, recalled).
 bool is_full(double A, double I_y, double I_z) { return I_y * I_z * 108.0 <= rounding * std::pow(A, 4); }
 
-std::optional<Misfit> misfit_of(const SectionShape& s) {
+std::optional<Inconsistency> inconsistency_of(const SectionShape& s) {
   if (auto wall = misfit_of_walls(s)) return wall;
   const double round = 0.25 * pi * s.d * s.d;
   const std::array bounds{Most{"A", "mm^2", s.A, s.h * s.b, "the area of h times b"},
@@ -138,12 +138,12 @@ std::optional<Misfit> misfit_of(const SectionShape& s) {
     if (bound.value > rounding * bound.most) return misfit(bound);
   }
   if (s.kind == "solid" && s.I_y * s.I_z * 108.0 > rounding * std::pow(s.A, 4))
-    return Misfit{"kind", say("a solid section of A = {1} has no such second moments: it is hollow, or open",
-                              format_quantity(s.A, "mm^2", 5))};
+    return Inconsistency{"kind", say("a solid section of A = {1} has no such second moments: it is hollow, or open",
+                                     format_quantity(s.A, "mm^2", 5))};
   const double walls = area_of_walls(s);
   if (s.A > most_fillets * walls || s.A * most_fillets < walls)
-    return Misfit{"A", say("A = {1} does not match its walls, which give {2}", format_quantity(s.A, "mm^2", 5),
-                           format_quantity(walls, "mm^2", 5))};
+    return Inconsistency{"A", say("A = {1} does not match its walls, which give {2}", format_quantity(s.A, "mm^2", 5),
+                                  format_quantity(walls, "mm^2", 5))};
   const Moments moments = moments_of_walls(s);
   for (const Most& bound : {Most{"I_y", "mm^4", s.I_y, most_moment * moments.y, "1.15 times that of its walls"},
                             Most{"I_z", "mm^4", s.I_z, most_moment * moments.z, "1.15 times that of its walls"}}) {

@@ -19,13 +19,13 @@ struct SectionShape {
   double I_min = unknown, I_t = unknown, I_w = unknown, W_pl_y = unknown, W_pl_z = unknown;
 };
 
-struct Misfit {
+struct Inconsistency {
   std::string key;  // key of the inconsistent value
   Message message;
 };
 
 /// The first value that no section of these sizes has.
-std::optional<Misfit> misfit_of(const SectionShape& shape);
+std::optional<Inconsistency> inconsistency_of(const SectionShape& shape);
 
 /// Whether a section of this area and these second moments has its area about its centre as full ones have: no walls
 /// that could buckle, and hardly a twist.

@@ -82,15 +82,15 @@ constexpr std::array guide_rows{
         [](const Guide& g, const Guide::Pressure& at) { return 0.5 * at.N - at.M / g.joint.guide_length; },
         &Guide::has_length, "with a guide_length")};
 
-struct Rubbing {
+struct SlidingContact {
   std::string name;
   std::size_t index = 0;
   std::shared_ptr<const mechanism::Model> model;
 };
 
-constexpr std::array rubbing_rows{row<Rubbing>(
+constexpr std::array rubbing_rows{row<SlidingContact>(
     "joints.NAME.P_loss", "power loss by friction or meshing", W, {.kind = Kind::joint_loss},
-    [](const Rubbing& r, const Position& p) { return loss_of(*r.model, r.index, p); }, nullptr,
+    [](const SlidingContact& r, const Position& p) { return loss_of(*r.model, r.index, p); }, nullptr,
     "joints with friction")};
 
 void list_contacts(std::vector<ResultPattern>& patterns) {
@@ -106,7 +106,7 @@ void add_contacts(const Mechanism::Input&, const mechanism::Model& model, std::v
     const mechanism::Joint& joint = model.joints[k];
     if (joint.kind == JointKind::prismatic) add_outputs(Guide{joint.name, k, joint}, guide_rows, out);
     add_wheel_outputs(joint, k, out);
-    if (rubs(joint)) add_outputs(Rubbing{joint.name, k, kept}, rubbing_rows, out);
+    if (rubs(joint)) add_outputs(SlidingContact{joint.name, k, kept}, rubbing_rows, out);
   }
 }
 

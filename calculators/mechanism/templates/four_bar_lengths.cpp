@@ -24,7 +24,7 @@ std::optional<FieldFault> stop_of(const Chain& chain, const char* path) {
 
 FourBarLengths::Pins FourBarLengths::pins(Sketch& sketch) const {
   Pins at{sketch.crank_arm(a), {"B", {}}, {"C", {in_si(d), 0.0}}};
-  at.B.at = sketch.meet({"coupler", at.A.at, b}, Reach{"rocker", at.C.at, c}, assembly);
+  at.B.at = sketch.meet({"coupler", at.A.at, b}, PlacedLink{"rocker", at.C.at, c}, assembly);
   return at;
 }
 

@@ -59,11 +59,11 @@ loads = [{ link = "bucket", at = "M", F_x = "0 kN", F_y = "-5 kN" }]
   void draw(Sketch& sketch) const {
     const Pin O{"O", cartesian(x_O, y_O)}, B{"B", {0.0, 0.0}};
     const Vec a = cartesian(x_A, y_A), g = cartesian(x_G, y_G);  // in the axes of arm and bucket
-    const Pin A{"A",
-                sketch.meet({"arm", B.at, from_si<Length>(mechanism::length(a))}, Reach{"lift", O.at, s_1}, assembly)};
+    const Pin A{"A", sketch.meet({"arm", B.at, from_si<Length>(mechanism::length(a))}, PlacedLink{"lift", O.at, s_1},
+                                 assembly)};
     const double arm = direction(B.at, A.at) - direction({}, a);
     const Pin H{"H", polar(l, arm)}, E{"E", mechanism::turn(arm)(cartesian(x_E, y_E))};
-    const Pin G{"G", sketch.meet({"tilt", E.at, s_2}, Reach{"bucket", H.at, from_si<Length>(mechanism::length(g))},
+    const Pin G{"G", sketch.meet({"tilt", E.at, s_2}, PlacedLink{"bucket", H.at, from_si<Length>(mechanism::length(g))},
                                  assembly_2)};
     const Pin M{"M", H.at + polar(l_2, direction(H.at, G.at) - direction({}, g))};
     sketch.fixed(O);

@@ -29,7 +29,7 @@ struct SixBar : FourBarLengths {
   /// The second coupler and the second rocker; `carrier`: the link that D is on.
   void draw_dyad(Sketch& sketch, const Pin& D, const char* carrier) const {
     const Pin F{"F", cartesian(x_F, y_F)};
-    const Pin E{"E", sketch.meet({"coupler_2", D.at, f}, Reach{"rocker_2", F.at, h}, assembly_2)};
+    const Pin E{"E", sketch.meet({"coupler_2", D.at, f}, PlacedLink{"rocker_2", F.at, h}, assembly_2)};
     sketch.fixed(F);
     sketch.bar("coupler_2", D, E, f);
     sketch.bar("rocker_2", F, E, h);

@@ -84,7 +84,7 @@ void Sketch::refuse(Message message) {
   if (!fault_) fault_ = FieldFault{"", std::move(message), hint};
 }
 
-Vec Sketch::meet(const Reach& one, const Reach& other, Assembly assembly) {
+Vec Sketch::meet(const PlacedLink& one, const PlacedLink& other, Assembly assembly) {
   const double r = in_si(one.l), q = in_si(other.l);
   const Vec apart = other.from - one.from;
   const double d = mechanism::length(apart);
@@ -101,7 +101,7 @@ Vec Sketch::meet(const Reach& one, const Reach& other, Assembly assembly) {
   return one.from + (along / d) * apart + (across / d) * mechanism::normal(apart);
 }
 
-Vec Sketch::meet(const Reach& link, const Line& line, Assembly assembly) {
+Vec Sketch::meet(const PlacedLink& link, const Line& line, Assembly assembly) {
   const Vec to = line.through - link.from;
   const double away = mechanism::cross(line.along, to), l = in_si(link.l);
   const double rest = l * l - away * away;

@@ -25,7 +25,7 @@ struct Pin {
 };
 
 /// A link as far as it decides where others are.
-struct Reach {
+struct PlacedLink {
   const char* link;
   Vec from;
   Length l;
@@ -63,9 +63,9 @@ class Sketch {
   Sketch(Mechanism::Input& in, double angle) : in_(in), angle_(angle) {}
 
   /// The point where two links meet; left of the line between them where `open`, right where `crossed`.
-  Vec meet(const Reach& one, const Reach& other, Assembly assembly);
+  Vec meet(const PlacedLink& one, const PlacedLink& other, Assembly assembly);
   /// The place where a link meets a line, ahead of its foot on the line where `open`, behind it where `crossed`.
-  Vec meet(const Reach& link, const Line& line, Assembly assembly);
+  Vec meet(const PlacedLink& link, const Line& line, Assembly assembly);
 
   /// The crank OA of this length, driven about the fixed pin O at the origin: its pin A.
   Pin crank_arm(Length r);

@@ -39,7 +39,7 @@ loads = [{ link = "ram", at = "D", F_x = "0 N", F_y = "8 kN" }]
 
   void draw(Sketch& sketch) const {
     const Pin A = sketch.crank_arm(r), C{"C", cartesian(x_C, y_C)};
-    const Pin B{"B", sketch.meet({"upper", C.at, b}, Reach{"rod", A.at, l}, assembly)};
+    const Pin B{"B", sketch.meet({"upper", C.at, b}, PlacedLink{"rod", A.at, l}, assembly)};
     const Pin D{"D", sketch.meet({"lower", B.at, f}, Line{C.at, {0.0, -1.0}}, ram)};
     sketch.fixed(C);
     sketch.bar("rod", A, B, l);

@@ -107,16 +107,16 @@ struct Extreme {
 using Extremes = List<Extreme, 160>;
 
 /// How far the contour reaches from a point: along a direction, against it, and to both sides.
-struct Reach {
+struct Extent {
   Length ahead, behind, left, right;
 
   /// Along the direction that was to the left.
-  [[nodiscard]] Reach turned_left() const { return {left, right, behind, ahead}; }
+  [[nodiscard]] Extent turned_left() const { return {left, right, behind, ahead}; }
 };
 
-inline Reach reach(const Extremes& extremes, Length y, Length z, double towards_y, double towards_z) {
+inline Extent reach(const Extremes& extremes, Length y, Length z, double towards_y, double towards_z) {
   const Length none = from_si<Length>(-std::numeric_limits<double>::infinity());
-  Reach r{none, none, none, none};
+  Extent r{none, none, none, none};
   for (const Extreme& e : extremes) {
     const Length along = (e.y - y) * towards_y + (e.z - z) * towards_z;
     const Length across = (e.z - z) * towards_y - (e.y - y) * towards_z;
@@ -152,7 +152,7 @@ template <class Tracer>
 void complete(Properties& r, const Extremes& extremes, Tracer& trace) {
   STEP_TO(r, i_y, sqrt(r.I_y / r.A), "radius of gyration");
   STEP_TO(r, i_z, sqrt(r.I_z / r.A), "radius of gyration");
-  const Reach along_y = reach(extremes, r.y_S, r.z_S, 1.0, 0.0);
+  const Extent along_y = reach(extremes, r.y_S, r.z_S, 1.0, 0.0);
   const auto [e_right, e_left, e_top, e_bottom] = along_y;
   trace.value("e_top", e_top, "from the centroid to the uppermost fibre");
   STEP_TO(r, W_y_top, r.I_y / e_top, "bending about y, upper side");
@@ -164,10 +164,10 @@ void complete(Properties& r, const Extremes& extremes, Tracer& trace) {
   STEP_TO(r, W_z_right, r.I_z / e_right, "bending about z, right side");
   turn_to_principal_axes(r, trace);
   STEP_TO(r, i_min, sqrt(r.I_min / r.A), "minimum radius of gyration");
-  const Reach from_axis = r.alpha == 0.0 ? along_y
-                          : r.I_yz == from_si<SecondMoment>(0.0)
-                              ? along_y.turned_left()
-                              : reach(extremes, r.y_S, r.z_S, std::cos(r.alpha), std::sin(r.alpha));
+  const Extent from_axis = r.alpha == 0.0 ? along_y
+                           : r.I_yz == from_si<SecondMoment>(0.0)
+                               ? along_y.turned_left()
+                               : reach(extremes, r.y_S, r.z_S, std::cos(r.alpha), std::sin(r.alpha));
   const auto [ahead, behind, left, right] = from_axis;
   const Length e_max = trace.value("e_max", max(left, right), "farthest fibre from the principal axis of I_max");
   STEP_TO(r, W_max, r.I_max / e_max, "bending about the principal axis of I_max");

@@ -384,11 +384,11 @@ r_T = 0
 
   /// Diameters that are searched for together; calculators/shaft/design/sizing.cpp says how.
   static constexpr auto sized = "pieces";
-  static bool arrange(const Input& in, std::span<Sought> sought, std::size_t way);
-  static bool raise(const Input& in, std::span<Sought> sought);
+  static bool arrange(const Input& in, std::span<OpenSize> sought, std::size_t way);
+  static bool raise(const Input& in, std::span<OpenSize> sought);
   static double cost(const Input& in);
   static const void* place(const Input& in, std::string_view list, const void* element);
-  static Message unsound(const Input& in, std::span<const Sought> sought, std::size_t which);
+  static Message unsound(const Input& in, std::span<const OpenSize> sought, std::size_t which);
 
   static constexpr bool takes_series = false;
   static constexpr bool turns = true;

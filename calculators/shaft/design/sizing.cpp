@@ -18,7 +18,7 @@ using Input = DesignInput;
 constexpr std::size_t none = most_pieces;
 using OfPieces = List<std::size_t, most_pieces>;
 
-OfPieces sought_of(const Input& in, std::span<const Sought> sought) {
+OfPieces sought_of(const Input& in, std::span<const OpenSize> sought) {
   OfPieces all(in.pieces.size(), none);
   for (std::size_t k = 0; k < sought.size(); ++k) {
     for (std::size_t i = 0; i < in.pieces.size(); ++i) {
@@ -111,7 +111,7 @@ OfPieces tops_of(const Input& in, const OfPieces& sought) {
 /// The diameters as they are tried: of what is searched for its size, else what is given.
 struct Trial {
   const Input& in;
-  std::span<const Sought> sought;
+  std::span<const OpenSize> sought;
   OfPieces of;
   [[nodiscard]] bool is_sought(std::size_t i) const { return of[i] != none; }
   [[nodiscard]] Length d(std::size_t i) const { return from_si<Length>(sought[of[i]].size()); }
@@ -159,7 +159,7 @@ struct Trial {
 
 }  // namespace
 
-bool Design::arrange(const Input& in, std::span<Sought> sought, std::size_t way) {
+bool Design::arrange(const Input& in, std::span<OpenSize> sought, std::size_t way) {
   const OfPieces of = sought_of(in, sought), tops = tops_of(in, of);
   if (way >= tops.size()) return false;
   for (std::size_t i = 0; i < of.size(); ++i) {
@@ -191,7 +191,7 @@ const void* Design::place(const Input& in, std::string_view list, const void* el
   return sides.left.d <= sides.right.d ? &before : &after;
 }
 
-bool Design::raise(const Input& in, std::span<Sought> sought) {
+bool Design::raise(const Input& in, std::span<OpenSize> sought) {
   const Trial trial{in, sought, sought_of(in, sought)};
   for (std::size_t i = 0; i < trial.of.size(); ++i) {
     if (trial.is_sought(i) && is_set(in.pieces[i].d_2)) return false;  // both ends of a taper are given
@@ -200,7 +200,7 @@ bool Design::raise(const Input& in, std::span<Sought> sought) {
     raised = false;
     for (std::size_t i = 0; i < trial.of.size(); ++i) {
       if (!trial.is_sought(i)) continue;
-      Sought& own = sought[trial.of[i]];
+      OpenSize& own = sought[trial.of[i]];
       const double least = (1.0 - one_place) * in_si(trial.asked(i));
       while (own.size() < least) {
         raised = true;
@@ -214,7 +214,7 @@ bool Design::raise(const Input& in, std::span<Sought> sought) {
   return true;
 }
 
-Message Design::unsound(const Input& in, std::span<const Sought> sought, std::size_t which) {
+Message Design::unsound(const Input& in, std::span<const OpenSize> sought, std::size_t which) {
   const Trial trial{in, sought, sought_of(in, sought)};
   const auto i = static_cast<std::size_t>(std::find(trial.of.begin(), trial.of.end(), which) - trial.of.begin());
   const auto fault_at = [&](const Joint& joint, std::size_t k) -> Message {

@@ -7,12 +7,12 @@
 
 namespace loadpath::shaft {
 
-bool Torsion::arrange(const Input&, std::span<Sought> sought, std::size_t way) {
+bool Torsion::arrange(const Input&, std::span<OpenSize> sought, std::size_t way) {
   for (std::size_t i = 0; i < sought.size(); ++i) sought[i].like = i;
   return way == 0;
 }
 
-bool Torsion::raise(const Input&, std::span<Sought>) { return true; }
+bool Torsion::raise(const Input&, std::span<OpenSize>) { return true; }
 
 double Torsion::cost(const Input& in) {
   double volume = 0.0;
@@ -26,6 +26,6 @@ double Torsion::cost(const Input& in) {
 /// Strength and twist are checked for the complete shaft.
 const void* Torsion::place(const Input&, std::string_view, const void*) { return nullptr; }
 
-Message Torsion::unsound(const Input&, std::span<const Sought>, std::size_t) { return {}; }
+Message Torsion::unsound(const Input&, std::span<const OpenSize>, std::size_t) { return {}; }
 
 }  // namespace loadpath::shaft

@@ -209,11 +209,11 @@ theta_adm = "0.004 rad/m"
                                          "d_strength, d_stiffness, d_min, D_star, tau_max, theta_max, u_tau, u_theta"}};
 
   static constexpr auto sized = "segments";
-  static bool arrange(const Input& in, std::span<Sought> sought, std::size_t way);
-  static bool raise(const Input& in, std::span<Sought> sought);
+  static bool arrange(const Input& in, std::span<OpenSize> sought, std::size_t way);
+  static bool raise(const Input& in, std::span<OpenSize> sought);
   static double cost(const Input& in);
   static const void* place(const Input& in, std::string_view list, const void* element);
-  static Message unsound(const Input& in, std::span<const Sought> sought, std::size_t which);
+  static Message unsound(const Input& in, std::span<const OpenSize> sought, std::size_t which);
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -146,7 +146,7 @@ std::string json_of(const project::Project& project, const project::Best& best) 
   if (!best.reason.empty()) json.member("reason", best.reason.text());
   if (!best.fails.empty()) json.member("fails", best.fails.text());
   json.member("designs", static_cast<std::int64_t>(optimum.candidates > 0 ? optimum.candidates : optimum.evaluations));
-  json.member("all_designs", optimum.reach == sweep::Optimum::Reach::every_point && !optimum.budget_spent);
+  json.member("all_designs", optimum.scope == sweep::Optimum::Scope::every_point && !optimum.budget_spent);
   json.key("selected").open_array();
   for (const std::size_t i : best.chosen) {
     json.open_object();

@@ -15,11 +15,11 @@ Quantity in_unit_of(double si, const std::string& unit) { return {si, unit.empty
 
 /// The reliability of the result.
 Message reach_of(const sweep::Optimum& optimum) {
-  using Reach = sweep::Optimum::Reach;
+  using Scope = sweep::Optimum::Scope;
   const std::string n = std::to_string(optimum.candidates > 0 ? optimum.candidates : optimum.evaluations);
   if (optimum.budget_spent) return say("the search ended after {1} designs, before completion", n);
-  if (optimum.reach == Reach::every_point) return say("the best of all {1} designs", n);
-  if (optimum.reach == Reach::every_combination)
+  if (optimum.scope == Scope::every_point) return say("the best of all {1} designs", n);
+  if (optimum.scope == Scope::every_combination)
     return say("the best of every combination of the values, {1} designs", n);
   return say("better than all neighbouring designs and than the results from other starts; {1} designs", n);
 }

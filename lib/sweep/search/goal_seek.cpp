@@ -28,7 +28,7 @@ class Seeker {
     sought.nearest = sought.value = std::numeric_limits<double>::quiet_NaN();
   }
 
-  Sought run();
+  SeekResult run();
 
  private:
   [[nodiscard]] std::vector<Look> look_at(const std::vector<double>& places);
@@ -45,7 +45,7 @@ class Seeker {
   Function& function;
   const std::vector<double>& base;
   const Goal& goal;
-  Sought sought;
+  SeekResult sought;
   double best = std::numeric_limits<double>::infinity();
 };
 
@@ -153,7 +153,7 @@ void Seeker::add_touching(const Look& left, const Look& middle, const Look& righ
   }
 }
 
-Sought Seeker::run() {
+SeekResult Seeker::run() {
   const auto looks = over_the_range();
   for (std::size_t k = 0; k < looks.size(); ++k) {
     if (!is_there(looks[k])) continue;
@@ -178,7 +178,7 @@ Sought Seeker::run() {
 
 }  // namespace
 
-Sought seek(Function& function, const std::vector<double>& base, const Goal& goal) {
+SeekResult seek(Function& function, const std::vector<double>& base, const Goal& goal) {
   return Seeker(function, base, goal).run();
 }
 

@@ -30,7 +30,7 @@ struct Solution {
   double within = 0.0;  // error bound of the position
 };
 
-struct Sought {
+struct SeekResult {
   std::vector<Solution> solutions;  // in order; two closer than the points apart may be missed
   double nearest = 0.0;             // place nearest to the target; NaN if there is no value
   double value = 0.0;               // there
@@ -39,6 +39,6 @@ struct Sought {
 
 /// The other inputs keep the values of `base`. Brackets by points over the range and at the edges of missing values;
 /// roots by TOMS 748 of Boost.Math.
-[[nodiscard]] Sought seek(Function& function, const std::vector<double>& base, const Goal& goal);
+[[nodiscard]] SeekResult seek(Function& function, const std::vector<double>& base, const Goal& goal);
 
 }  // namespace loadpath::sweep

@@ -45,9 +45,9 @@ Optimum minimise(const Problem& problem, const Effort& effort) {
   found.outputs = trials.outputs({&best.at, 1});
   found.allowed = best.standing.allowed();
   found.worst = worst_broken(problem, found.outputs);
-  found.reach = finite                           ? Optimum::Reach::every_point
-                : search.saw_every_combination() ? Optimum::Reach::every_combination
-                                                 : Optimum::Reach::local;
+  found.scope = finite                           ? Optimum::Scope::every_point
+                : search.saw_every_combination() ? Optimum::Scope::every_combination
+                                                 : Optimum::Scope::local;
   found.budget_spent = !finite && trials.left() == 0;
   found.candidates = finite ? combinations(problem.variables, effort.enumerated) : 0;
   found.evaluations = trials.count();

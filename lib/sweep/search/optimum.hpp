@@ -23,7 +23,7 @@ struct Neighbour {
 };
 
 struct Optimum {
-  enum class Reach {
+  enum class Scope {
     every_point,        // every point of a finite set
     every_combination,  // every combination of the stock, each with the continuous variables at a local optimum
     local               // better than its neighbours and than the results from other starts
@@ -31,7 +31,7 @@ struct Optimum {
   std::vector<double> point, outputs;
   bool allowed = false;   // otherwise it is the point with the smallest violation
   std::size_t worst = 0;  // the constraint that is broken most; their number where none is
-  Reach reach = Reach::local;
+  Scope scope = Scope::local;
   bool budget_spent = false;
   std::uint64_t candidates = 0;       // number of points if all were evaluated; else 0
   std::uint64_t evaluations = 0;      // including those of the proof, which meets some points again

@@ -202,7 +202,7 @@ void OwnReader::check_shape(const RowRead& read) {
   const auto of = [&](const char* column) { return searched_value(read.row, column); };
   const SectionShape shape{of("h"),   of("b"),       of("d"),     of("t_f"), of("t_w"), of("A"),      of("I_y"),
                            of("I_z"), read.row.kind, of("I_min"), of("I_t"), of("I_w"), of("W_pl_y"), of("W_pl_z")};
-  if (const auto misfit = misfit_of(shape))
+  if (const auto misfit = inconsistency_of(shape))
     complain(read.place, read.key + "." + misfit->key, say("'{1}': {2}", read.row.name, misfit->message),
              say("check the units: mm, cm^2, cm^4"));
 }

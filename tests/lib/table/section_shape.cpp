@@ -35,7 +35,7 @@ SectionShape heb_200() {
 }
 
 std::string key_of(const SectionShape& shape) {
-  const auto misfit = misfit_of(shape);
+  const auto misfit = inconsistency_of(shape);
   return misfit ? misfit->key : "";
 }
 
@@ -45,7 +45,7 @@ TEST_SUITE("table section_shape") {
   TEST_CASE("every section of the tables fits its sizes") {
     for (const Table* table : tables_of("section")) {
       for (const Row& row : table->rows) {
-        const auto misfit = misfit_of(shape_of(row));
+        const auto misfit = inconsistency_of(shape_of(row));
         CHECK_MESSAGE(!misfit, row.name, ": ", misfit ? misfit->message.text() : "");
       }
     }

@@ -41,7 +41,7 @@ JointSizes::JointSizes(const PreparedStep& step, const Inputs& inputs)
 
 SizeIndices JointSizes::now() const {
   SizeIndices at;
-  for (const Sought& s : sought_) at.push_back(s.at);
+  for (const OpenSize& s : sought_) at.push_back(s.at);
   return at;
 }
 
@@ -151,14 +151,14 @@ double JointSizes::cost() const { return sizing_.cost(inputs_.record().data.get(
 bool JointSizes::is_place_of(std::size_t first, const FieldInfo& list, const void* element) const {
   const void* const owner = sizing_.place(inputs_.record().data.get(), list.key, element);
   return std::any_of(sought_.begin(), sought_.end(),
-                     [&](const Sought& s) { return s.like == first && s.owner == owner; });
+                     [&](const OpenSize& s) { return s.like == first && s.owner == owner; });
 }
 
 std::string JointSizes::given_place_of(const FieldInfo& list, const void* element) const {
   const Record& record = inputs_.record();
   const void* const owner = sizing_.place(record.data.get(), list.key, element);
   const FieldInfo* const sized = find_field(record.type->fields, sizing_.list);
-  const auto is_owner = [&](const Sought& s) { return s.owner == owner; };
+  const auto is_owner = [&](const OpenSize& s) { return s.owner == owner; };
   if (owner == nullptr || sized == nullptr || std::any_of(sought_.begin(), sought_.end(), is_owner)) return {};
   for (std::size_t k = 0; k < sized->size(record.data.get()); ++k) {
     if (sized->element(record.data.get(), k) == owner)

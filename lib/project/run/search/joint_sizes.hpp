@@ -25,7 +25,7 @@ class JointSizes {
   [[nodiscard]] const std::string& stock(std::size_t i) const { return stocks_[i]; }
   /// All that one may be, ascending.
   [[nodiscard]] const std::vector<double>& sizes(std::size_t i) const { return sizes_[i]; }
-  [[nodiscard]] const Sought& at(std::size_t i) const { return sought_[i]; }
+  [[nodiscard]] const OpenSize& at(std::size_t i) const { return sought_[i]; }
   [[nodiscard]] SizeIndices now() const;
   [[nodiscard]] SizeIndices largest_first() const;
   /// The first of each group of those that are of one size.
@@ -69,7 +69,7 @@ class JointSizes {
   std::vector<const Search*> searches_;
   std::vector<std::string> stocks_;
   std::vector<std::vector<double>> sizes_;
-  std::vector<Sought> sought_;
+  std::vector<OpenSize> sought_;
   SizeIndices caps_;  // empty: none
 };
 

@@ -285,7 +285,7 @@ bool ColumnLayout::add_search() {
   if (!is_size || step.sizes_together() || !is_fixed(calculator.input->fields, wanted.path)) return false;
   const Value* const now = step.value(wanted.path);
   if (now == nullptr || now->si.empty()) return false;
-  Sought own{.leaf = find_leaf(record, wanted.path), .stock = stock_values(*step.input().tables, wanted.stock)};
+  SearchedSize own{.leaf = find_leaf(record, wanted.path), .stock = stock_values(*step.input().tables, wanted.stock)};
   const FieldInfo& searched = *own.leaf.field;
   std::erase_if(own.stock, [&](double si) { return !searched.bounds.holds(si) || !searched.plausible.holds(si); });
   own.offset = offset_in(record, own.leaf);

@@ -42,7 +42,7 @@ struct Candidate {
 };
 
 /// A size that is searched for in a stock.
-struct Sought {
+struct SearchedSize {
   Leaf leaf = {};  // in the record
   std::vector<double> stock = {};
   std::size_t offset = 0;
@@ -84,8 +84,8 @@ struct ColumnPlan {
   std::vector<LeftComponent> left_components = {};
   std::vector<std::string> absent;  // load components that were absent where this was laid out
   std::vector<Sized> sized;
-  std::optional<Size> size;      // size of the sized inputs
-  std::optional<Sought> sought;  // searched input
+  std::optional<Size> size;            // size of the sized inputs
+  std::optional<SearchedSize> sought;  // searched input
   std::vector<Read> read;
   std::vector<char> rules;  // for each rule, whether varying inputs can violate it
   std::vector<char> no_rules;

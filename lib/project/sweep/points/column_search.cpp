@@ -25,7 +25,7 @@ bool any_kept(std::span<const double> found) {
 
 /// The start of a search: the minimum size, computed without one.
 void ColumnParts::find_first_candidates(PointColumns& points) {
-  Sought& wanted = *sought;
+  SearchedSize& wanted = *sought;
   const double found = wanted.leaf.get();
   wanted.leaf.set(nan);
   start_sizes(points);
@@ -72,7 +72,7 @@ void ColumnParts::run_for_least(PointColumns& points) {
 
 /// Sets the size of every point; the results are those of the last candidates, which pass.
 void ColumnParts::search(PointColumns& points) {
-  Sought& wanted = *sought;
+  SearchedSize& wanted = *sought;
   find_first_candidates(points);
   wanted.si.resize(points.count * positions());
   in.resize(inputs_fed);

@@ -53,7 +53,7 @@ struct SoughtValue {
   SweptInput input;
   std::string unit;  // unit of the result
   double target = 0.0;
-  sweep::Sought sought;
+  sweep::SeekResult sought;
 };
 /// "rod.u = 0.9" over the one input that goes through a range; the others stay at their middle.
 std::optional<SoughtValue> seek_value(const Searching& searching, const Placed& goal, std::vector<Issue>& issues);

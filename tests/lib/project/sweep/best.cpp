@@ -66,7 +66,7 @@ TEST_SUITE("the best machine" * test::by_case) {
       const auto best = project::find_best({reader(text)}, {asked(area), false, {}, {}, {}}, drawn(10), issues);
       REQUIRE(best);
       CHECK(best->optimum.allowed);
-      CHECK(best->optimum.reach == sweep::Optimum::Reach::every_point);
+      CHECK(best->optimum.scope == sweep::Optimum::Scope::every_point);
       CHECK(best->optimum.candidates == all.column("a").size());
       CHECK(best->optimum.outputs[0] == least);
     }

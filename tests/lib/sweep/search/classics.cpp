@@ -119,7 +119,7 @@ TEST_SUITE("designs of the literature") {
     const Problem problem{spring, {range(0.05, 2.0), range(0.25, 1.3), range(2.0, 15.0)}, 0, false, at_most_one(1, 4)};
     const Optimum found = minimise(problem);
     check_best(found, 0.012665232788, 1e-7);
-    CHECK(found.reach == Optimum::Reach::local);
+    CHECK(found.scope == Optimum::Scope::local);
   }
 
   // Rao 1996, Coello 2000: 1.724852309 at (0.20573, 3.47049, 9.03662, 0.20573).
@@ -172,7 +172,7 @@ TEST_SUITE("designs of the literature") {
     const Optimum found = minimise(problem);
     check_best(found, 2994.471066, 1e-7);
     CHECK(found.point[2] == 17.0);
-    CHECK(found.reach == Optimum::Reach::every_combination);
+    CHECK(found.scope == Optimum::Scope::every_combination);
   }
 
   // Nowacki 1973: 263.895843; closed by Lagrange: A_1 = (3 + sqrt 3) / 6, A_2 = 1 / sqrt 6.
@@ -205,7 +205,7 @@ TEST_SUITE("designs of the literature") {
     const double miss = 1.0 / 6.931 - 16.0 * 19.0 / (43.0 * 49.0);
     CHECK(miss * miss == doctest::Approx(2.700857e-12).epsilon(1e-6));
     check_best(found, miss * miss, 1e-9);
-    CHECK(found.reach == Optimum::Reach::every_point);
+    CHECK(found.scope == Optimum::Scope::every_point);
     CHECK(gears.points >= 49 * 49 * 49 * 49);
   }
 }

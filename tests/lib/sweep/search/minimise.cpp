@@ -83,8 +83,8 @@ TEST_SUITE("search for the best design") {
          {std::vector<Constraint>{{1, at_most_one}, {2, at_most_one}, {3, is_one}}, {{3, is_one}}}) {
       const Problem problem{function, {stock(diameters), stock(walls)}, 0, false, constraints};
       const Optimum all = minimise(problem), found = minimise(problem, searching());
-      CHECK(all.reach == Optimum::Reach::every_point);
-      CHECK(found.reach == Optimum::Reach::local);
+      CHECK(all.scope == Optimum::Scope::every_point);
+      CHECK(found.scope == Optimum::Scope::local);
       CHECK(all.point == lightest_tube());
       CHECK(found.point == lightest_tube());
     }
@@ -125,7 +125,7 @@ TEST_SUITE("search for the best design") {
     }
     const Problem problem{rod, {stock(diameters), range(100, 3000)}, 0, true, {{1, at_most_one}}};
     const Optimum found = minimise(problem);
-    CHECK(found.reach == Optimum::Reach::every_combination);
+    CHECK(found.scope == Optimum::Scope::every_combination);
     CHECK(found.point[0] == diameter);
     CHECK(found.outputs[0] == doctest::Approx(best).epsilon(1e-8));
     int resized = 0;

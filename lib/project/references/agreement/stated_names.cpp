@@ -93,12 +93,11 @@ bool is_named(const Step& step, std::string_view word) {
 
 bool is_of_other_state(std::string_view name) {
   return has_word(
-      name,
-      {"idle",     "motor",    "mot",     "engine",  "adm",       "zul",   "allow",      "allowable", "perm",   "lim",
-       "limit",    "capacity", "cap",     "rated",   "rating",    "break", "breaking",   "buckling",  "cr",     "crit",
-       "critical", "fatigue",  "min",     "least",   "empty",     "own",   "dead",       "ultimate",  "u",      "rd",
-       "strength", "clamp",    "frame",   "screw",   "screws",    "bolts", "foundation", "slip",      "clutch", "hold",
-       "holding",  "nom",      "nominal", "preload", "available", "main"});
+      name, {"idle",     "motor",  "mot",      "engine",   "adm",   "zul",     "allow",   "allowable", "perm",
+             "lim",      "limit",  "capacity", "cap",      "rated", "rating",  "break",   "breaking",  "buckling",
+             "cr",       "crit",   "critical", "fatigue",  "min",   "least",   "empty",   "own",       "dead",
+             "ultimate", "u",      "rd",       "strength", "clamp", "frame",   "screws",  "bolts",     "foundation",
+             "slip",     "clutch", "hold",     "holding",  "nom",   "nominal", "preload", "available", "main"});
 }
 
 bool is_of_machine(std::string_view name, const Project& project) {

@@ -49,7 +49,8 @@ std::string_view symbol_in(const std::string& name, const Record& record) {
 bool is_named_as_load(const std::string& name, const std::string& symbol) {
   const std::size_t end = name.rfind('_');
   if (end == std::string::npos || name == symbol) return name == symbol;
-  const bool is_component = name.size() - end <= 3 && !has_word(name.substr(end + 1), {"ed", "sd", "t"});
+  const bool is_short = name.size() - end <= 3 && !has_word(name.substr(end + 1), {"ed", "sd", "t"});
+  const bool is_component = is_short || has_word(name, {"side", "lateral", "transverse"});
   const bool is_other = (is_of_other_state(name) && !is_of_peak(name)) || is_component;
   const bool is_of_valve = symbol == "p" && (is_of_vacuum(name) || has_word(name, {"valve", "fill", "set", "relief"}));
   return is_same_letter(name[0], symbol[0]) && !is_other && !is_of_valve;
@@ -179,8 +180,8 @@ bool is_component(std::string_view name) {
 bool bends_a_bar(std::string_view name, const Dimension& dimension) {
   constexpr std::array<std::string_view, 13> names{"M_b", "M_y", "M_z", "M_y_1", "M_z_1", "q_y", "q_z",
                                                    "F_y", "F_z", "q",   "H",     "F_H",   "V"};
-  const bool is_named =
-      std::ranges::find(names, name) != names.end() || name.starts_with("q_") || name.starts_with("H_");
+  const bool is_named = std::ranges::find(names, name) != names.end() || name.starts_with("q_") ||
+                        name.starts_with("H_") || has_word(name, {"side", "lateral", "transverse"});
   return is_named && (dimension == Dimension::of(2, 1, -2) || dimension == Dimension::of(1, 1, -2) ||
                       dimension == Dimension::of(0, 1, -2));
 }

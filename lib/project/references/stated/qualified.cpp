@@ -38,8 +38,9 @@ Kind kind_of(const Step& step, const FieldInfo& field) {
   const bool is_number = field.dimension.is_number();
   const bool is_strong = symbol.ends_with("_adm") || is_one_of(symbol, {"R_e", "R_m", "f_y", "f_u", "H_B", "F_B", "F_u",
                                                                         "P_R", "P_b", "C_0", "z_l", "Q_v", "delta"});
-  if (is_strong || (symbol == "H" && id.starts_with("gear.")) || (symbol == "C" && id == "bearing.rolling") ||
-      means(*step.input().calculator, field.key, &is_strength))
+  const bool is_stiff = symbol == "E" && find_field(step.input().calculator->input->fields, "n_st") != nullptr;
+  if (is_strong || is_stiff || (symbol == "H" && id.starts_with("gear.")) ||
+      (symbol == "C" && id == "bearing.rolling") || means(*step.input().calculator, field.key, &is_strength))
     return Kind::capacity;
   const bool is_safety = symbol == "S" || symbol == "n_st" || symbol == "s_0" || symbol.starts_with("S_");
   const bool is_required = symbol == "L_h" || symbol == "L_req" || symbol == "n_req" || symbol == "grade" ||

@@ -33,9 +33,10 @@ std::string_view family_of(std::string_view name) {
 
 /// A state of the part, or a place of it that carries.
 bool is_of_state(std::string_view name) {
-  return has_word(name, {"made",    "actual", "real",        "measured", "built",     "existing", "drawn",   "eff",
-                         "engaged", "free",   "unsupported", "extended", "effective", "bore",     "core",    "root",
-                         "fillet",  "rings",  "hub",         "keyway",   "housing",   "neck",     "undercut"});
+  return has_word(
+      name, {"made",    "actual",      "real",     "measured",  "built",  "existing", "drawn", "eff",     "engaged",
+             "free",    "unsupported", "extended", "effective", "bore",   "core",     "root",  "fillet",  "engagement",
+             "drawing", "rim",         "rings",    "hub",       "keyway", "housing",  "neck",  "undercut"});
 }
 
 bool is_gear(std::string_view word) {
@@ -58,7 +59,8 @@ class SizesOfParts {
     const bool is_of_side = name.ends_with("_outer") || name.ends_with("_inner");
     const std::string part = is_of_side ? name.substr(0, name.rfind('_')) : name;
     const std::size_t end = part.rfind('_');
-    if (end == std::string::npos || is_of_other_state(name) || has_word(name, {"max"})) return false;
+    const bool is_of_motor = name.ends_with("_pulley");  // which is a part of the drive
+    if (end == std::string::npos || (is_of_other_state(name) && !is_of_motor) || has_word(name, {"max"})) return false;
     const std::string_view word = std::string_view(part).substr(end + 1), family = family_of(name);
     if (dimension.is_number()) return family == "mu" || (family == "z" && (is_gear(word) || is_named(step_, word)));
     const bool is_toothed = id_of(step_).starts_with("gear.") && is_gear(word);

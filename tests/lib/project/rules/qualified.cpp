@@ -53,6 +53,7 @@ TEST_SUITE("project: symbols of [values]") {
     check_symbols(rating, {{"H_wheel = 300", "H_1"}, {"H_wheel = 720", ""}, {"H_core = 300", ""}, {"H_h = 300", ""}});
     check_symbols(example_of("gear.bevel"),
                   {{"H_B_wheel = 180", "H_B2"}, {"Q_v_made = 6", "Q_v"}, {"Q_v_made = 9", ""}});
+    check_symbols(example_of("link.member"), {{"E_aluminium = \"70 GPa\"", "E"}, {"E_steel = \"210 GPa\"", ""}});
     check_symbols(example_of("bearing.rolling"), {{"C_catalogue = \"20 kN\"", "C"}, {"C_req = \"20 kN\"", ""}});
     check_symbols(example_of("fatigue.fkm"), {{"R_m_tested = \"850 MPa\"", "R_mN"}, {"R_m_tested = \"1200 MPa\"", ""}});
   }
@@ -82,6 +83,7 @@ TEST_SUITE("project: symbols of [values]") {
         "[t]\ncalculator = \"shaft.torsion\"\nP = \"7.5 kW\"\nn = \"180 rpm\"\nd = \"63 mm\"\nmaterial = "
         "\"C45E\"\nS = 2\n",
         {{"T_start = \"1100 N*m\"", "T"}, {"T_start = \"390 N*m\"", ""}, {"M_bend = \"600 N*m\"", "T"}});
+    check_loads(example_of("column.buckling"), {{"F_side = \"2 kN\"", "P"}, {"F_far = \"2 kN\"", ""}});
     check_loads(example_of("shaft.press_fit"), {{"F_axial = \"20 kN\"", "F_z"}, {"F_axial_adm = \"20 kN\"", ""}});
     check_loads(example_of("column.beam_column"), {{"q_wind = \"3 kN/m\"", "q_z"}});
     check_loads(example_of("column.beam_column", "q_z = \"3 kN/m\""), {{"q_wind = \"3 kN/m\"", ""}});

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "calculators/vessel/capacity.hpp"
-#include "calculators/vessel/liquid.hpp"
+#include "calculators/vessel/membrane.hpp"
 
 namespace loadpath::vessel {
 

@@ -1,6 +1,5 @@
 #include "calculators/vessel/cone.hpp"
 
-#include "calculators/vessel/liquid.hpp"
 #include "calculators/vessel/picture.hpp"
 #include "lib/calculator/calculator_of.hpp"
 

@@ -1,6 +1,5 @@
 #include "calculators/vessel/cylinder.hpp"
 
-#include "calculators/vessel/liquid.hpp"
 #include "calculators/vessel/picture.hpp"
 #include "lib/calculator/calculator_of.hpp"
 

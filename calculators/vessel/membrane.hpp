@@ -10,8 +10,11 @@
 
 #include "calculators/vessel/most_loaded.hpp"
 #include "calculators/vessel/wall.hpp"
+#include "lib/quantity/gravity.hpp"
 
 namespace loadpath::vessel {
+
+inline constexpr Acceleration gravity = standard_gravity * m_per_s2;
 
 using Curvature = Twist;    // 1/length
 using Tension = Stiffness;  // force per length of a section
@@ -26,6 +29,14 @@ struct Place {
   Length r = unset<Length>, z = unset<Length>;  // where it is: from the axis, along it
   double w_o = 1.0;                             // share of the hoop force in the wall next to rings
 };
+
+/// The pressure of a liquid at rest at the height z above the lowest place; zero above the surface.
+template <class Tracer>
+Stress head(const Liquid& liquid, Length z, Tracer& trace) {
+  const Acceleration g_n = trace.value("g_n", gravity, "standard acceleration of free fall");
+  trace.value("z", z, "height of the position");
+  return NAMED_STEP("p_l", liquid.rho * g_n * max(liquid.h_l - z, 0.0 * liquid.h_l), "head of the liquid");
+}
 
 struct Strength {
   Stress sigma_all;

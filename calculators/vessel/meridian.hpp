@@ -2,7 +2,7 @@
 // arcs and straight lines that vessels are made of, and the forces of gas and liquid on what lies before each point.
 #pragma once
 
-#include "calculators/vessel/liquid.hpp"
+#include "calculators/vessel/membrane.hpp"
 #include "lib/calculator/list.hpp"
 
 namespace loadpath::vessel {

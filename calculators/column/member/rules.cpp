@@ -124,12 +124,12 @@ table::SectionShape shape_of(const Section& in) {
 
 }  // namespace
 
-bool is_one_section(const Section& in) { return !is_set(in.A) || !table::misfit_of(shape_of(in)); }
+bool is_one_section(const Section& in) { return !is_set(in.A) || !table::inconsistency_of(shape_of(in)); }
 
 FieldFault two_sections(const Section& in) {
-  const auto misfit = table::misfit_of(shape_of(in));
-  if (!misfit) return {};
-  return {misfit->key, misfit->message,
+  const auto inconsistency = table::inconsistency_of(shape_of(in));
+  if (!inconsistency) return {};
+  return {inconsistency->key, inconsistency->message,
           say("give one section only: by its row, by its sizes, or by A, I_y and I_z; check the units")};
 }
 

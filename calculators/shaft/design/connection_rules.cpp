@@ -112,7 +112,7 @@ Contradiction other_hub(const Input& in, const Seat& seat) {
   return {};
 }
 
-Contradiction misfit_of(const Input& in, std::size_t i) {
+Contradiction inconsistency_of(const Input& in, std::size_t i) {
   const Seat& seat = in.seats[i];
   if (const Contradiction misfit = two_pieces(in, seat); *misfit.key != '\0') return misfit;
   if (seat.integral == Integral::no) {
@@ -209,7 +209,7 @@ Applies where_any(const Input& in, const Meant& is_meant) {
 bool Design::connections_match(const Input& in) {
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
     const Seat& seat = in.seats[i];
-    if (!is_around(in, seat) || !fits(in, seat) || *misfit_of(in, i).key != '\0') return false;
+    if (!is_around(in, seat) || !fits(in, seat) || *inconsistency_of(in, i).key != '\0') return false;
   }
   return true;
 }
@@ -224,7 +224,7 @@ FieldFault Design::other_diameter(const Input& in) {
                   text_of(diameter_under(in, seat))),
               say("a component integral with the shaft needs integral = true")};
     }
-    if (const Contradiction misfit = misfit_of(in, i); fits(in, seat) && *misfit.key != '\0')
+    if (const Contradiction misfit = inconsistency_of(in, i); fits(in, seat) && *misfit.key != '\0')
       return {place_of("seats", in.seats, i, misfit.key), misfit.message, {}};
     if (fits(in, seat)) continue;
     return {place_of("seats", in.seats, i, "d_c"),

@@ -130,17 +130,36 @@ Force smallest(const Stages& all) {
   return P;
 }
 
-/// The largest radial and the largest axial load, which need not act together.
-Loads largest_of(const Spectrum& loads) {
-  Loads most{none, none};
-  for (const Loads& load : loads) most = {std::max(most.F_r, load.F_r), std::max(most.F_a, abs(load.F_a))};
-  return most;
-}
+/// The largest loads over all blocks, which need not act together, and the largest axial one in turning.
+struct Largest {
+  Force F_r = none, F_a = none, F_a_turning = none;
+};
 
-Force largest_in_turning(const Stages& all, const Spectrum& loads) {
-  Force F_a = none;
-  for (std::size_t i = 0; i < all.size(); ++i) F_a = turns(all[i]) ? std::max(F_a, abs(loads[i].F_a)) : F_a;
-  return F_a;
+/// Where blocks have shares of the loads of the step, the formulas show them.
+template <class Tracer>
+Largest largest_of(const Input& in, const Loads& step, const Stages& all, const Spectrum& loads, Tracer& trace) {
+  Largest most;
+  double k_max = in.blocks.empty() ? 1.0 : 0.0, k_run = k_max;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Force F_a = abs(loads[i].F_a);
+    most.F_r = std::max(most.F_r, loads[i].F_r), most.F_a = std::max(most.F_a, F_a);
+    if (turns(all[i])) most.F_a_turning = std::max(most.F_a_turning, F_a);
+    const double k = in.blocks.empty() ? 1.0 : in.blocks[i].k;
+    k_max = std::max(k_max, k), k_run = turns(all[i]) ? std::max(k_run, k) : k_run;
+  }
+  if (has_own_loads(in)) {
+    trace.value("F_rX", most.F_r, "maximum radial load of the blocks");
+    trace.value("F_aX", most.F_a, "maximum axial load of the blocks");
+    trace.value("F_aT", most.F_a_turning, "maximum axial load in turning");
+    return most;
+  }
+  trace.value("k_max", k_max, "maximum of the blocks");
+  trace.value("k_run", k_run, "maximum of those in which it turns");
+  const Force F_rd = step.F_r, F_ad = abs(step.F_a);
+  STEP(F_rX, k_max * F_rd, "maximum radial load of the blocks");
+  STEP(F_aX, k_max * F_ad, "maximum axial load of the blocks");
+  STEP(F_aT, k_run * F_ad, "maximum axial load in turning");
+  return {F_rX, F_aX, F_aT};
 }
 
 /// The factor of all blocks: that of one, or the mean by the damage that they do.
@@ -257,7 +276,8 @@ Force refused(Kind kind, Force F_r, Force F_a) {
 
 /// The axial load of a kind, its direction and its size.
 template <class Tracer>
-void axial(const Input& in, const Thrust& thrust, const Spectrum& loads, const Loads& most, Result& r, Tracer& trace) {
+void axial(const Input& in, const Thrust& thrust, const Spectrum& loads, const Largest& most, Result& r,
+           Tracer& trace) {
   const Force F_a0 = thrust.F_a0, F_r0 = is_set(in.F_r0) ? in.F_r0 : none;
   Force over = bears_on_ribs(in.kind) ? refused(in.kind, 2.0 * abs(F_a0), F_a0) : refused(in.kind, F_r0, F_a0);
   for (const Loads& load : loads) over = std::max(over, refused(in.kind, load.F_r, load.F_a));
@@ -304,16 +324,15 @@ Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
   r.x_f = q.x_f, r.e = q.e, r.Y = q.Y, r.P = q.P;
   if (has_mate(in) && !is_set(r.Y)) r.Y = trace.value("Y", in.Y, "manufacturer's value");
   Spectrum loads;
-  Stages all = stages(in, {F_rd, in.K_A * F_ax}, q, loads, trace);
-  const Loads most = largest_of(loads);
-  const Force F_aT = trace.value("F_aT", largest_in_turning(all, loads), "maximum axial load in turning");
+  const Loads whole{F_rd, F_ax < none ? -F_ad : F_ad};
+  Stages all = stages(in, whole, q, loads, trace);
+  const Largest most = largest_of(in, whole, all, loads, trace);
+  const Force F_aT = most.F_a_turning;
   if (is_set(in.f_0) && (is_set(r.x_f) || F_aT > none)) {
     r.x_f = NAMED_STEP("x_f", in.f_0 * F_aT / in.C_0, "of the maximum axial load in turning");
   }
   if (runs(in) == Applies::yes) running(in, all, r, trace);
   if (!in.blocks.empty()) r.blocks = all;
-  trace.value("F_rX", most.F_r, "maximum radial load of the blocks");
-  trace.value("F_aX", most.F_a, "maximum axial load of the blocks");
   at_rest(in, shared, most.F_r, most.F_a, r, trace);
   axial(in, shared, loads, most, r, trace);
   by_itself(in, shared, loads, F_rK, F_aK, r, trace);

@@ -34,6 +34,11 @@ constexpr Force axial_of(const Input& in, const Block& b) {
   return is_set(b.F_a) ? b.F_a : b.k * in.F_a;
 }
 
+template <class Input>
+bool has_own_loads(const Input& in) {
+  return std::any_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return is_set(b.F_r) || is_set(b.F_a); });
+}
+
 /// Whether one of the blocks has at least the loads of the step.
 template <class Input>
 bool holds_loads_of_step(const Input& in) {

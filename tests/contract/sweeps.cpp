@@ -256,13 +256,6 @@ void compare_examples(Points points, std::uint64_t seed, const Taken& taken) {
 
 }  // namespace
 
-// Everything is solved again for each design: that takes long where the compiler does not optimise.
-#ifdef __OPTIMIZE__
-constexpr bool is_fast = true;
-#else
-constexpr bool is_fast = false;
-#endif
-
 TEST_SUITE("sweeps and machines of their own" * test::by_element) {
   TEST_CASE("every calculator with its example, some numbers varied") {
     for (const Calculator* calculator : test::calculators_taken()) {
@@ -271,8 +264,8 @@ TEST_SUITE("sweeps and machines of their own" * test::by_element) {
     }
   }
 
-  // An optimised build compares more points of each below.
-  TEST_CASE("every example, some numbers varied" * doctest::skip(is_fast && !test::sanitized)) {
+  // Without sanitizers more points of each are compared below.
+  TEST_CASE("every example, some numbers varied" * doctest::skip(!test::sanitized)) {
     compare_examples({3}, 3, [](const std::string&, const std::string& text) {
       return test::takes(test::elements_of_project(text).front());
     });
@@ -280,7 +273,7 @@ TEST_SUITE("sweeps and machines of their own" * test::by_element) {
 }
 
 TEST_SUITE("two hundred points of every example" * test::by_example * test::takes_share) {
-  TEST_CASE("a point of a sweep equals its machine solved alone" * doctest::skip(!is_fast)) {
+  TEST_CASE("a point of a sweep equals its machine solved alone" * doctest::skip(test::sanitized)) {
     const auto points = static_cast<std::size_t>(test::tries(200, 5));
     compare_examples({points, 3}, 4, [](const std::string& name, const std::string&) { return test::takes(name); });
   }

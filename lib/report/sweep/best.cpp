@@ -133,7 +133,7 @@ std::vector<Block> seek_blocks(const project::SoughtValue& sought) {
   }
   blocks.emplace_back(std::move(table));
   blocks.emplace_back(Paragraph{
-      say("The result alone is solved for; whether the design passes there: `loadpath run FILE --set {1}=...`",
+      say("Only the result is solved for; whether the design passes there: `loadpath run FILE --set {1}=...`",
           sought.input.name),
       Paragraph::Tone::plain});
   return blocks;

@@ -132,10 +132,10 @@ std::vector<Block> seek_blocks(const project::SoughtValue& sought) {
     table.rows.push_back({shown(solution.at), in_unit_of(solution.value, unit), how});
   }
   blocks.emplace_back(std::move(table));
-  blocks.emplace_back(Paragraph{
-      say("Only the result is solved for; whether the design passes there: `loadpath run FILE --set {1}=...`",
-          sought.input.name),
-      Paragraph::Tone::plain});
+  blocks.emplace_back(
+      Paragraph{say("Only the result is solved for; whether the design passes there: `loadpath run FILE --set {1}=...`",
+                    sought.input.name),
+                Paragraph::Tone::plain});
   return blocks;
 }
 

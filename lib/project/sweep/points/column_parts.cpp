@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <ranges>
 
 namespace loadpath::project {
 
@@ -157,10 +156,10 @@ void ColumnParts::ask_first_positions(const PointColumns& points) {
   calculator.survey(record.data.get(), first, no_rules, applies_at, points.count, others.data());
   open_modes.clear();
   for (std::size_t mode = 0; mode < applies.size(); ++mode) {
-    const auto is_open = [&](std::size_t point) {
-      return !is_other(points, point) && applies[mode][point] != Applies::yes;
-    };
-    if (std::ranges::any_of(std::views::iota(std::size_t{0}, points.count), is_open)) open_modes.push_back(mode);
+    bool is_open = false;
+    for (std::size_t point = 0; point < points.count; ++point)
+      is_open = is_open || (!is_other(points, point) && applies[mode][point] != Applies::yes);
+    if (is_open) open_modes.push_back(mode);
   }
 }
 

@@ -75,6 +75,7 @@ std::span<const HeadingKey> heading_keys() { return keys_of_heading; }
 
 std::vector<std::string> heading_names() {
   std::vector<std::string> names;
+  names.reserve(std::size(keys_of_heading));
   for (const HeadingKey& known : keys_of_heading) names.emplace_back(known.key);
   return names;
 }

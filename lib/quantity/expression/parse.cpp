@@ -215,7 +215,8 @@ Node Parser::resultant(Node call) const {
     if (!is_first) sum.function = call.function;  // for messages
   }
   call.function = find_function("sqrt");
-  call.kids.assign(1, std::move(sum));
+  call.kids.clear();
+  call.kids.push_back(std::move(sum));
   return call;
 }
 

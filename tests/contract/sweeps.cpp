@@ -238,7 +238,8 @@ std::size_t fewer_where_slow(std::size_t points, const std::string& text) {
   for (std::size_t at = text.find("calculator = "); at != std::string::npos; at = text.find("calculator = ", at + 1))
     ++steps;
   const bool is_searched = text.find("\"?\"") != std::string::npos;
-  return steps > 12 || (is_searched && !test::in_full()) ? std::max<std::size_t>(3, points / 8) : points;
+  return steps > 12 || (is_searched && !test::in_full()) ? std::max<std::size_t>(test::in_full() ? 3 : 1, points / 8)
+                                                         : points;
 }
 
 /// The examples of which `taken(name, text)` says that this run covers them.

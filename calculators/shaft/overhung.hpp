@@ -153,7 +153,7 @@ tau_adm = "30 MPa"
           "increase a to half of the rim width and more, or confirm a dished component: accept.clearance = \"...\""),
       fatigue_of_shaft<Input>().assessed_in("shaft.design")});
 
-  // A search asks for the least size, then for the checks at the size of a stock.
+  // A search needs the least size first, then the checks at a size of the stock.
   static constexpr std::array forms{Form{"F, a, T, K_A, sigma_adm, tau_adm", "d, d_bore"},
                                     Form{"F, a, T, K_A, d, sigma_adm, tau_adm", "u_v, u_Q, u_tau"},
                                     Form{"F, a, T, K_A, d, sigma_adm, tau_adm", "d_v, u_v, u_Q, u_tau"},

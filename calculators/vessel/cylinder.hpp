@@ -47,7 +47,7 @@ sigma_adm = "140 MPa"
   enum class Ends { closed, open, ringed };
   enum class Support { bottom, top };
 
-  struct Input : WallInput, Liquid, TestInput, GrowthInput {
+  struct Input : WallInput, Liquid, TestInput, ElasticInput {
     Length R = unset<Length>;
     Ends ends = Ends::closed;
     Support support = Support::bottom;
@@ -71,7 +71,7 @@ sigma_adm = "140 MPa"
               .positive()
               .usually(0.5, 400)
               .may_be_missing()},
-      test_inputs<Input>(), growth_inputs<Input>());
+      test_inputs<Input>(), elastic_inputs<Input>("modulus of elasticity, for the growth under pressure"));
 
   struct Result : WallResult, LameResult, TestResult, GrowthResult {
     Length R_m = unset<Length>, delta_o = unset<Length>, delta_M = unset<Length>, a_r = unset<Length>;

@@ -7,7 +7,7 @@
 
 namespace loadpath::vessel {
 
-struct GrowthInput {
+struct ElasticInput {
   Stress E = unset<Stress>;
   double nu = 0.3;
 };
@@ -17,10 +17,11 @@ struct GrowthResult {
   double eps_l = unset<double>, eps_V = unset<double>;
 };
 
+/// `modulus`: what the modulus of elasticity is for.
 template <class Input>
-constexpr auto growth_inputs() {
+constexpr auto elastic_inputs(const char* modulus) {
   return Fields{
-      Field<Input, Stress>{&Input::E, "E", GPa, "modulus of elasticity, for the growth under pressure"}
+      Field<Input, Stress>{&Input::E, "E", GPa, modulus}
           .positive()
           .usually(least_E, most_E)
           .from("material", "E")
@@ -44,7 +45,7 @@ constexpr auto growth_of_cylinder() {
 
 /// Of a wall with the same membrane stresses everywhere: gas, and no rings.
 template <class Tracer>
-void grow_cylinder(const GrowthInput& in, Length R_m, Stress sigma_o, Stress sigma_M, GrowthResult& r, Tracer& trace) {
+void grow_cylinder(const ElasticInput& in, Length R_m, Stress sigma_o, Stress sigma_M, GrowthResult& r, Tracer& trace) {
   if (!is_set(in.E)) return;
   STEP_TO(r, Delta_R, R_m * (sigma_o - in.nu * sigma_M) / in.E, "Hooke's law, hoop strain, [Pytel-8]");
   STEP_TO(r, eps_l, (sigma_M - in.nu * sigma_o) / in.E, "Hooke's law along the axis");
@@ -52,7 +53,7 @@ void grow_cylinder(const GrowthInput& in, Length R_m, Stress sigma_o, Stress sig
 }
 
 template <class Tracer>
-void grow_sphere(const GrowthInput& in, Length R_m, Stress sigma_o, GrowthResult& r, Tracer& trace) {
+void grow_sphere(const ElasticInput& in, Length R_m, Stress sigma_o, GrowthResult& r, Tracer& trace) {
   if (!is_set(in.E)) return;
   STEP_TO(r, Delta_R, R_m * (1.0 - in.nu) * sigma_o / in.E,
           "Hooke's law, equal stresses in both directions, [Pytel-8]");

@@ -43,7 +43,7 @@ z_c = 0.85
 sigma_adm = "160 MPa"
 )";
 
-  struct Input : WallInput, Liquid, GrowthInput {
+  struct Input : WallInput, Liquid, ElasticInput {
     Length R = unset<Length>;
     double phi_s = pi / 2;
   };
@@ -59,7 +59,7 @@ sigma_adm = "160 MPa"
                                        "supporting ring of a sphere with liquid: angle from the top"}
                       .within(20, 160)
                       .may_be_missing()},
-           growth_inputs<Input>());
+           elastic_inputs<Input>("modulus of elasticity, for the growth under pressure"));
 
   struct Result : WallResult, LameResult, GrowthResult {
     Length R_m = unset<Length>;

@@ -6,7 +6,7 @@
 // ends, end junctions, nozzles, temperature gradients, liquid, fatigue, buckling under external pressure.
 #pragma once
 
-#include "calculators/load/steel.hpp"
+#include "calculators/vessel/growth.hpp"
 #include "calculators/vessel/lame.hpp"
 #include "calculators/vessel/modes.hpp"
 #include "calculators/vessel/thick/thick_wall.hpp"
@@ -62,17 +62,11 @@ E = "210 GPa"
       wall_inputs<Input>(),
       Fields{
           Field<Input, Stress>{&Input::p_e, "p_e", MPa, "external gauge pressure"}.load().at_least(0).usually(0, 1000),
-          Choice<Input, Ends>{&Input::ends, "ends", "end condition: closed, open or restrained ends"}.may_be_missing(),
-          Field<Input, Stress>{&Input::E, "E", GPa, "modulus of elasticity, for the displacements"}
-              .positive()
-              .usually(least_E, most_E)
-              .from("material", "E")
-              .where_it_has()
-              .may_be_missing(),
-          Field<Input, double>{&Input::nu, "nu", ratio, "Poisson's ratio"}.at_least(0).below(0.5).usually(0.2, 0.4),
-          Field<Input, Length>{&Input::r, "r", mm, "radius at which the stresses are shown too"}
-              .positive()
-              .may_be_missing()});
+          Choice<Input, Ends>{&Input::ends, "ends", "end condition: closed, open or restrained ends"}.may_be_missing()},
+      elastic_inputs<Input>("modulus of elasticity, for the displacements"),
+      Fields{Field<Input, Length>{&Input::r, "r", mm, "radius at which the stresses are shown too"}
+                 .positive()
+                 .may_be_missing()});
 
   struct Result {
     Stress sigma_all = unset<Stress>;

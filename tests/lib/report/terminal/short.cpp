@@ -178,8 +178,8 @@ F_r = "2 kN"
 n = "950 rpm"
 )",
                                                              "a.toml"));
-    const auto tells = [](const report::Gap& gap) { return gap.action.typed.starts_with("give L_h, L_m (L_nh = "); };
-    CHECK(std::any_of(bearing.gaps.begin(), bearing.gaps.end(), tells));
+    const auto is_hint = [](const report::Gap& gap) { return gap.action.typed.starts_with("give L_h, L_m (L_nh = "); };
+    CHECK(std::any_of(bearing.gaps.begin(), bearing.gaps.end(), is_hint));
   }
 
   TEST_CASE("a limit that fails is shown with the values compared") {
@@ -195,11 +195,11 @@ r_f = "0.8 mm"
 d_f = "42 mm"
 )",
                                                           "a.toml"));
-    const auto tells = [](const std::string& failure) {
+    const auto is_hint = [](const std::string& failure) {
       return failure.find("of the shoulder (x_a = 1.119: 47") != std::string::npos;
     };
     REQUIRE(seat.failures.size() == 1);
-    CHECK_MESSAGE(tells(seat.failures.front()), seat.failures.front());
+    CHECK_MESSAGE(is_hint(seat.failures.front()), seat.failures.front());
   }
 
   TEST_CASE("a mode whose method is not valid is shown with its limit") {
@@ -217,9 +217,9 @@ R_e_2 = "300 MPa"
 R_e_k = "420 MPa"
 )",
                                                          "a.toml"));
-    const auto tells = [](const report::Gap& gap) {
+    const auto is_hint = [](const report::Gap& gap) {
       return gap.action.typed.starts_with("method not valid: x_l = 1.7, covered from 0 to 1.3: effective key length");
     };
-    CHECK(std::any_of(key.gaps.begin(), key.gaps.end(), tells));
+    CHECK(std::any_of(key.gaps.begin(), key.gaps.end(), is_hint));
   }
 }

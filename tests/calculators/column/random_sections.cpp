@@ -258,7 +258,7 @@ LoadedBeam bent(double EI, double l, Ends ends, double F, double e, double e_0) 
     held.row(freedom).setZero(), held.col(freedom).setZero();
     held(freedom, freedom) = 1.0, load(freedom) = 0.0;
   }
-  const Eigen::VectorXd v = held.partialPivLu().solve(load);
+  const Eigen::VectorXd v = deflected(held, load);
   LoadedBeam most{0, 0};
   const double h = l / count;
   for (Eigen::Index i = 0; i < count; ++i) {

@@ -123,7 +123,7 @@ TEST_SUITE("cli crashes" * by_case * takes_share) {
     desk.put("a.toml", press);
     std::chrono::microseconds whole = writing_time(desk);
     std::array<int, 3> ended{};  // with so many new outputs
-    const int kills = tries(500);
+    const int kills = tries(500, sanitized ? 50 : 10);
     for (int k = 0; k < kills; ++k) {
       end_while_writing(desk, SIGKILL, whole * (random() % 1000) / 1000);
       check_outputs(desk);
@@ -145,7 +145,7 @@ TEST_SUITE("cli crashes" * by_case * takes_share) {
     desk.put("a.toml", press);
     const std::chrono::microseconds whole = writing_time(desk);
     constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
-    for (std::size_t k = 0; k < static_cast<std::size_t>(tries(300)); ++k) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(tries(300, sanitized ? 30 : 10)); ++k) {
       end_while_writing(desk, signals.at(k % signals.size()), whole * (random() % 1000) / 1000);
       check_outputs(desk);
       REQUIRE_FALSE(has_parts(desk));

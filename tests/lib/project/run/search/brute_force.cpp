@@ -200,7 +200,9 @@ TEST_SUITE("searches without a result") {
 
 TEST_SUITE("missing inputs of searches") {
   TEST_CASE("all missing input next to the searched value is named at once") {
+    Share share(4);
     for (const Sized& sized : all_sized) {
+      if (share.skips()) continue;
       const std::string lines = lines_of(sized, sized.values.back(), asked(sized));
       const Solved bare("[part]\ncalculator = \"" + sized.calculator + "\"\n" + sized.key + " = " + asked(sized) +
                         "\n");

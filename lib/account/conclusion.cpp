@@ -60,9 +60,8 @@ Message of_failures(Modes sorted, const ExplanationOptions& options) {
 Message of_gaps(const Modes& sorted, const Conclusion& all, std::size_t room) {
   const std::size_t needs = all.count(Group::needs_input), outside = all.count(Group::outside_scope);
   if (needs + outside == 0) {  // only an input check prevents the verdict
-    const auto check = std::ranges::find_if(sorted, [](const Mode& m) { return m.subject != Subject::mode; });
-    if (check == sorted.end()) return {};
-    return first_in(room, {say("{1}: {2}", check->step, reason(*check)), say("{1}: {2}", check->step, check->title)});
+    const Mode& check = sorted.front();
+    return first_in(room, {say("{1}: {2}", check.step, reason(check)), say("{1}: {2}", check.step, check.title)});
   }
   const std::string total = std::to_string(all.modes() - all.count(Group::not_considered));
   const std::string first = std::to_string(needs), second = std::to_string(outside);

@@ -13,14 +13,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double pass = number(State::pass), open = number(State::open), not_judged = number(State::not_judged);
 
-constexpr bool is_ordered() {
-  for (int i = 0; i <= static_cast<int>(State::fail); ++i) {
-    if (rank(static_cast<State>(i)) != i) return false;
-  }
-  return true;
-}
-static_assert(is_ordered(), "the worst of several is the largest number");
-
 /// Columns of one loop do not overlap.
 struct Columns {
   double* __restrict worst, * __restrict counted, * __restrict utilisation;

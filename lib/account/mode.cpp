@@ -19,10 +19,10 @@ bool is_outside(const Mode& mode) { return mode.state == State::not_judged && !m
 /// Whether two are reported together.
 bool is_alike(const Mode& a, const Mode& b) { return a.state == b.state && is_outside(a) == is_outside(b); }
 
-/// The place in a list: first the modes that need action.
+/// The place in a list: first the modes that need action, last those not considered.
 int place(State state) {
-  constexpr std::array order{State::fail, State::not_available, State::not_covered, State::not_judged,
-                             State::pass, State::accepted,      State::open};
+  constexpr std::array order{State::fail,       State::not_available, State::not_covered,
+                             State::not_judged, State::pass,          State::accepted};
   return static_cast<int>(std::find(order.begin(), order.end(), state) - order.begin());
 }
 

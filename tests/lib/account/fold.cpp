@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -35,6 +36,48 @@ account::Mode mode_of(State state, bool is_assessable = true) {
 }  // namespace
 
 TEST_SUITE("fold") {
+  TEST_CASE("a state is as bad as its place among all, and its number in a column is that place") {
+    for (std::size_t i = 0; i < all_states.size(); ++i) {
+      CHECK(rank(all_states[i]) == static_cast<int>(i));
+      CHECK(number(all_states[i]) == static_cast<double>(i));
+      CHECK(state_of(static_cast<double>(i)) == all_states[i]);
+      for (std::size_t j = 0; j < all_states.size(); ++j)
+        CHECK(account::worse(all_states[i], all_states[j]) == all_states[std::max(i, j)]);
+    }
+    CHECK(pass_if(true) == State::pass);
+    CHECK(pass_if(false) == State::fail);
+  }
+
+  TEST_CASE("a load acts if it is given and not zero; a search may round a size down") {
+    CHECK(acts(-2.0));
+    CHECK(acts(1e-300));
+    CHECK_FALSE(acts(0.0));
+    CHECK_FALSE(acts(none));
+    CHECK(least_candidate(40.0) < 40.0);
+    CHECK(least_candidate(40.0) > 39.9999);
+  }
+
+  TEST_CASE("the row of a check or limit without a value has no result, or does not exist where it is optional") {
+    FieldInfo row{};
+    row.role = Role::check;
+    CHECK(state_of_row(row, none) == State::not_available);
+    CHECK_FALSE(is_kept(row, none));
+    CHECK(state_of_row(row, 0.5) == State::pass);
+    CHECK(is_kept(row, 0.5));
+    CHECK(state_of_row(row, 1.5) == State::fail);
+    CHECK_FALSE(is_kept(row, 1.5));
+    row.where_set = true;
+    CHECK_FALSE(state_of_row(row, none).has_value());
+    CHECK(is_kept(row, none));
+    row.role = Role::limit;
+    row.bounds = Range{2.0, 3.0, false, false};
+    CHECK(state_of_row(row, 0.5) == State::not_covered);
+    CHECK(state_of_row(row, 2.5) == State::pass);
+    CHECK_FALSE(is_kept(row, 0.5));
+    row.is_criterion = true;
+    CHECK(state_of_row(row, 0.5) == State::fail);
+  }
+
   TEST_CASE("a check passes from 0 to 1, and is beyond its method below 0") {
     CHECK(state_of_check(0.0) == State::pass);
     CHECK(state_of_check(1.0) == State::pass);
@@ -43,6 +86,8 @@ TEST_SUITE("fold") {
     CHECK(state_of_check(-1e-10) == State::pass);
     CHECK(state_of_check(-1e-8) == State::not_covered);
     CHECK(is_passed(0.5));
+    CHECK(is_passed(-rounding_of_utilisation));
+    CHECK(is_passed(1.0 + rounding_of_utilisation));
     CHECK_FALSE(is_passed(1.1));
   }
 
@@ -85,6 +130,8 @@ TEST_SUITE("fold") {
     CHECK(rows.utilisation == 1.2);
     const Folded limit = Folded{}.with_row(number(State::pass), none, false);
     CHECK(limit.counted == 0.0);
+    CHECK(limit.with_row(number(State::pass), 0.4, true).utilisation == 0.4);
+    CHECK(limit.with_row(number(State::pass), 0.4, true).with_row(number(State::pass), none, false).utilisation == 0.4);
     const Folded absent = Folded{}.with_row(absent_state, none, true);
     CHECK(absent.worst == absent_state);
     CHECK(absent.counted == 0.0);
@@ -122,6 +169,13 @@ TEST_SUITE("fold") {
     }
     by.state[2] = number(State::accepted);
     CHECK(judged(nothing, 2.0, by).state == number(State::accepted));
+    by.never = true;  // what waits for an assessment, or for a reason, has no utilisation
+    for (const State waits : {State::accepted, State::open, State::not_judged}) {
+      by.state[2] = number(waits);
+      CHECK(judged(passes, 2.0, by).state == number(waits));
+      CHECK(std::isnan(judged(passes, 2.0, by).utilisation));
+    }
+    CHECK(judged(passes, 2.0, Unjudged{}).state == number(State::pass));
   }
 
   TEST_CASE("modes together have the worst state, apart from those not considered") {

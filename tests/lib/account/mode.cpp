@@ -60,6 +60,51 @@ TEST_SUITE("modes") {
     CHECK(account::shown(mode_of(State::fail, 2.0, false)).text() == "fail");
   }
 
+  TEST_CASE("the scope names the modes of each state, of remote ones only the number") {
+    const auto named = [](State state, const std::string& id, bool is_assessable = true) {
+      account::Mode mode = mode_of(state, std::nan(""), is_assessable);
+      mode.step = "s";
+      mode.id = id;
+      return mode;
+    };
+    account::Mode open = named(State::open, "o");
+    open.wants = "w";
+    const Modes modes{named(State::pass, "a"), named(State::pass, "b"),     named(State::not_judged, "n"),
+                      named(State::open, "r"), named(State::fail, "f"),     named(State::not_judged, "x", false),
+                      named(State::open, "t"), named(State::accepted, "c"), open};
+    CHECK(account::scope(modes).text() ==
+          "fail: s.f; not assessed: s.n; outside the scope: s.x; pass: s.a, s.b; accepted by user: s.c; "
+          "not considered: s.o, 2 more");
+    CHECK(account::scope({named(State::open, "r")}).text() == "not considered: 1 more");
+    CHECK(account::scope({}).text() == "no failure mode is assessed here");
+  }
+
+  TEST_CASE("below a list of all modes, many that pass or are open are only counted") {
+    const auto scope_of = [](State state, std::size_t count, std::size_t remote = 0) {
+      Modes modes;
+      for (std::size_t i = 0; i < count + remote; ++i) {
+        modes.push_back(mode_of(state));
+        modes.back().step = "s";
+        modes.back().id = "m";
+        if (i < count) modes.back().wants = "w";
+      }
+      return account::brief_scope(modes).text();
+    };
+    const auto named = [](const std::string& state, int count) {
+      std::string text = state + ": s.m";
+      for (int i = 1; i < count; ++i) text += ", s.m";
+      return text;
+    };
+    CHECK(scope_of(State::pass, 8) == named("pass", 8));
+    CHECK(scope_of(State::pass, 9) == "pass: 9 failure modes listed above");
+    CHECK(scope_of(State::open, 4) == named("not considered", 4));
+    CHECK(scope_of(State::open, 4, 3) == named("not considered", 4) + ", 3 more");
+    CHECK(scope_of(State::open, 5) == "not considered: 5 failure modes listed above");
+    CHECK(scope_of(State::accepted, 9) == named("accepted by user", 9));
+    CHECK(scope_of(State::fail, 12) == named("fail", 12));
+    CHECK(scope_of(State::not_judged, 12) == named("not assessed", 12));
+  }
+
   TEST_CASE("the reason is what governs, a note, or what to add, in this order") {
     const auto reason = [](const auto& change) {
       account::Mode mode = mode_of(State::not_judged);

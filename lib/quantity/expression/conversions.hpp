@@ -65,10 +65,9 @@ class Product {
  private:
   Fault judge_product(const Node& node) const {
     const auto signature = check(tree_, node, declared_);
-    if (!signature) return {};
+    const Dimension dimension = signature ? signature->dimension.without_angle() : Dimension{};
     Factors f;
     collect(node, 1, f);
-    const Dimension dimension = signature->dimension.without_angle();
     const auto fault = [&](Message message, Message hint) {
       return Fault{node.at, node.length, std::move(message), std::move(hint)};
     };
@@ -129,8 +128,7 @@ class Product {
         collect(node.kids[1], node.operation == Operation::multiply ? power : -power, f);
         return;
       case Operation::negate:
-        collect(node.kids[0], power, f);
-        f.number *= power % 2 == 0 ? 1.0 : -1.0;
+        collect(node.kids[0], power, f);  // no rule depends on a sign
         return;
       case Operation::power:
         if (is_constant(node.kids[1])) {

@@ -74,9 +74,9 @@ class KindWalk {
         of_node(node.kids[0]);
         return root_of_rate(node);
       case Operation::call:
-        return of_call(node);
+        break;
     }
-    return Meant::nothing;
+    return of_call(node);
   }
 
   Meant of_call(const Node& node) {

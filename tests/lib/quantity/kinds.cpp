@@ -38,6 +38,7 @@ TEST_SUITE("quantity kinds") {
     CHECK(of_stress("G", "shear modulus") == Meant::nothing);
     CHECK(of_stress("s", "standard deviation of the strength") == Meant::nothing);
     CHECK(of_stress("a_T", "constant of Tetmajer") == Meant::nothing);
+    CHECK(of_stress("sigma_0", "constant of the fatigue limit") == Meant::nothing);
     CHECK(of_stress("p", "bearing pressure in the bore") == Meant::nothing);
   }
 

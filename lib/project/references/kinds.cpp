@@ -4,6 +4,8 @@
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 namespace loadpath::project {
 
@@ -11,22 +13,24 @@ namespace {
 
 constexpr Dimension turning = Dimension::of(0, 0, -1, 0, 1);
 
-/// The word of a choice, as far as it is known before the step is solved.
-std::string word_now(const Step& step, const Project& project, const std::string& choice) {
+/// The word of a choice, as far as it is known before the step is solved; absent if it is a result.
+std::optional<std::string> word_now(const Step& step, const Project& project, const std::string& choice) {
   for (const Taken& taken : step.input().reading.taken) {
     if (taken.path != choice) continue;
     const auto [name, rest] = split_step(taken.source);
     const Step* const source = project.find(name);
-    return source == nullptr || source == &step ? "" : word_now(*source, project, rest);
+    if (source == nullptr || source == &step) return "";
+    return word_now(*source, project, rest);
   }
   const Leaf leaf = find_leaf(step.input().reading.record, choice);
-  const bool is_choice = leaf && leaf.field->type == FieldInfo::Type::choice;
-  const auto at = is_choice ? leaf.get() : -1.0;
+  if (!leaf) return std::nullopt;
+  const double at = leaf.field->type == FieldInfo::Type::choice ? leaf.get() : -1.0;
   return at >= 0.0 ? leaf.field->choices[static_cast<std::size_t>(at)].key : "";
 }
 
-/// The kind of stress of a step, or a record of it: "normal", "shear"; empty if no choice defines it.
-std::string stress_of(const Step& step, const Project& project, const std::string& path) {
+/// The kind of stress of a step, or a record of it: "normal", "shear"; empty if no choice defines it, absent if it is
+/// not known yet.
+std::optional<std::string> stress_of(const Step& step, const Project& project, const std::string& path) {
   for (const std::string& prefix : {path.substr(0, path.rfind('.') + 1), std::string()}) {
     const std::string choice = prefix + "stress";
     const FieldInfo* const field = step.field(choice);
@@ -34,29 +38,27 @@ std::string stress_of(const Step& step, const Project& project, const std::strin
     const std::string word = step.word(choice);  // known for a result once the step is solved
     return word.empty() ? word_now(step, project, choice) : word;
   }
-  return {};
+  return "";
 }
 
 /// The kind of a field of a step. If a choice defines the kind of stress of the step, that applies to its stresses
 /// without a name of their own.
 Meant kind_of(const Step& step, const Project& project, const std::string& path, const FieldInfo& field) {
   const Meant kind = kind_of_field({field.key, field.doc, field.unit, field.dimension, field.kind});
-  const bool may_be_shear = kind == Meant::normal_stress || kind == Meant::nothing;
-  if (!may_be_shear || field.dimension != Dimension::of(-1, 1, -2) || !std::string_view(field.key).starts_with("sigma"))
-    return kind;
-  return stress_of(step, project, path) == "shear" ? Meant::shear_stress : kind;
+  if (kind != Meant::normal_stress) return kind;
+  const std::optional<std::string> stress = stress_of(step, project, path);
+  if (!stress) return Meant::nothing;
+  return *stress == "shear" ? Meant::shear_stress : kind;
 }
 
 Meant kind_at(const Project& project, const std::string& path) {
   const auto [name, rest] = split_step(path);
-  const std::string_view last = std::string_view(path).substr(path.rfind('.') + 1);
   if (name == "tables") {
-    const bool modulus = last == "E" || last == "G";
     const auto row = project.tables->value_at(path);
-    return row && row->dimension == Dimension::of(-1, 1, -2) && !modulus ? Meant::strength : Meant::nothing;
+    return row && row->dimension == Dimension::of(-1, 1, -2) ? Meant::strength : Meant::nothing;
   }
   const Step* const step = project.find(name);
-  if (step == nullptr) return name == "values" ? project.values.kind(rest) : Meant::nothing;
+  if (step == nullptr) return project.values.kind(rest);
   const FieldInfo* const field = step->field(rest);
   return field == nullptr ? Meant::nothing : kind_of(*step, project, rest, *field);
 }
@@ -79,13 +81,11 @@ WrongKind wrong_angle(const Operand& operand, const Dimension& given) {
 
 WrongKind wrong_kind(const Operand& operand, Meant wanted, Meant given) {
   Message message = say("'{1}' is {2}, but this expression is {3}", operand.path, name_of(wanted), name_of(given));
-  const bool stresses = given == Meant::shear_stress || given == Meant::equivalent_stress;
-  if ((stresses && wanted != Meant::strength) || wanted == Meant::equivalent_stress)
-    return {std::move(message), say("write mises(sigma, tau)")};
+  const bool is_part = given == Meant::shear_stress || given == Meant::equivalent_stress;
+  if (is_part && wanted != Meant::strength) return {std::move(message), say("write mises(sigma, tau)")};
   if (given == Meant::work)
     return {std::move(message), say("a power over a frequency is the energy of one cycle: divide by a speed in rpm or "
                                     "rad/s, or by rev*f; an energy by its angle")};
-  if (wanted == Meant::work) return {std::move(message), say("multiply the moment by its angle")};
   return {std::move(message), {}};
 }
 

@@ -60,22 +60,28 @@ Table result_table(const Account& account, const Lines& lines) {
 
 /// "segments[2].tau" or "torques.M1.x" in its parts; nothing if the path is none of an element.
 struct ElementPath {
-  std::string list, element, field;
+  std::string_view list, element, field;
 };
-std::optional<ElementPath> element_path(const std::string& path) {
-  const std::size_t first = path.find_first_of("[."), last = path.rfind('.');
-  if (first == std::string::npos || last == first) return std::nullopt;
+std::optional<ElementPath> element_path(std::string_view path) {
+  const std::size_t last = path.rfind('.');
+  if (last == std::string_view::npos) return std::nullopt;
+  const std::size_t first = path.find_first_of("[.");
+  if (last == first) return std::nullopt;
   const bool numbered = path[first] == '[';
   return ElementPath{path.substr(0, first), path.substr(first + 1, last - first - (numbered ? 2 : 1)),
                      path.substr(last + 1)};
 }
 
-/// Fields of a list's elements that have a value in one of them at least: "segments.tau". A name is the row's own.
-std::set<std::string> available_fields(const std::vector<Entry>& entries) {
-  std::set<std::string> fields;
-  for (const Entry& e : entries) {
-    const auto path = element_path(e.path);
-    if (path && is_available(e) && path->field != "name") fields.insert(path->list + "." + path->field);
+/// A list and a field of its elements: "segments", "tau".
+using Fields = std::set<std::pair<std::string_view, std::string_view>>;
+bool contains(const Fields& fields, const ElementPath& path) { return fields.contains({path.list, path.field}); }
+
+/// Fields of a list's elements that have a value in one of them at least. A name is the row's own.
+Fields available_fields(const std::vector<const Entry*>& entries) {
+  Fields fields;
+  for (const Entry* e : entries) {
+    const auto path = element_path(e->path);
+    if (path && is_available(*e) && path->field != "name") fields.emplace(path->list, path->field);
   }
   return fields;
 }
@@ -97,19 +103,19 @@ bool says_nothing(const Entry& entry, const FieldInfo* field) {
 }
 
 /// The inputs without fields of lists that no element uses, as those of planetary sets in a train of gears.
-std::vector<Entry> used_inputs(const Step& step) {
-  std::set<std::string> used;
-  const auto key = [](const ElementPath& path) { return path.list + "." + path.field; };
+std::vector<const Entry*> used_inputs(const Step& step) {
+  Fields used;
   const auto& fields = step.input().calculator->input->fields;
   for (const Entry& e : step.account().inputs) {
     const auto path = element_path(e.path);
-    if (path && !says_nothing(e, find_field_at(fields, e.path))) used.insert(key(*path));
+    if (path && !contains(used, *path) && !says_nothing(e, find_field_at(fields, e.path)))
+      used.emplace(path->list, path->field);
   }
-  std::vector<Entry> inputs = step.account().inputs;
-  std::erase_if(inputs, [&](const Entry& e) {
+  std::vector<const Entry*> inputs;
+  for (const Entry& e : step.account().inputs) {
     const auto path = element_path(e.path);
-    return path && !used.contains(key(*path));
-  });
+    if (!path || contains(used, *path)) inputs.push_back(&e);
+  }
   return inputs;
 }
 
@@ -119,9 +125,10 @@ void append(std::vector<Block>& blocks, const Items& items) {
 }
 
 /// The verdicts already show the limits.
-std::vector<Entry> without_limits(std::vector<Entry> entries) {
-  std::erase_if(entries, [](const Entry& e) { return e.role == Role::limit; });
-  return entries;
+std::vector<const Entry*> without_limits(const std::vector<Entry>& entries) {
+  std::vector<const Entry*> others = pointers_to(entries);
+  std::erase_if(others, [](const Entry* e) { return e->role == Role::limit; });
+  return others;
 }
 
 /// One paragraph, for each is a few words.
@@ -269,20 +276,27 @@ std::set<std::string> keys_in(std::string_view text) {
   return keys;
 }
 
-std::vector<Table> list_tables(const std::vector<Entry>& entries) {
+std::vector<const Entry*> pointers_to(const std::vector<Entry>& entries) {
+  std::vector<const Entry*> pointers;
+  pointers.reserve(entries.size());
+  for (const Entry& e : entries) pointers.push_back(&e);
+  return pointers;
+}
+
+std::vector<Table> list_tables(const std::vector<const Entry*>& entries) {
   std::vector<Table> tables;
   const auto available = available_fields(entries);
-  std::vector<std::string> columns;
-  std::string list, element;
-  for (const Entry& e : entries) {
-    const auto path = element_path(e.path);
-    if (!path || e.handed_over || available.count(path->list + "." + path->field) == 0) continue;
+  std::vector<std::string_view> columns;
+  std::string_view list, element;
+  for (const Entry* e : entries) {
+    const auto path = element_path(e->path);
+    if (!path || e->handed_over || !contains(available, *path)) continue;
     if (path->list != list) {
       tables.push_back({say("{1}", path->list), {say("no.")}, {}});
       columns.clear();
     }
     Table& table = tables.back();
-    if (path->list != list || path->element != element) table.rows.push_back({path->element});
+    if (path->list != list || path->element != element) table.rows.push_back({std::string(path->element)});
     auto column = std::find(columns.begin(), columns.end(), path->field);
     if (column == columns.end()) {
       table.head.push_back(say("{1}", path->field));
@@ -291,7 +305,7 @@ std::vector<Table> list_tables(const std::vector<Entry>& entries) {
     auto& row = table.rows.back();
     const auto place = static_cast<std::size_t>(column - columns.begin()) + 1;
     row.resize(std::max(row.size(), place + 1), std::string());
-    row[place] = cell_of(e);
+    row[place] = cell_of(*e);
     list = path->list;
     element = path->element;
   }
@@ -313,7 +327,9 @@ std::vector<AppliedFactor> applied_factors(const Project& project) {
   for (const auto& step : project.steps) {
     const auto& inputs = step->account().inputs;
     if (std::none_of(inputs.begin(), inputs.end(), [](const Entry& e) { return e.is_factor; })) continue;
-    const std::vector<const Entry*> deciding = deciding_inputs(step->account());
+    const auto is_assumed = [](const Entry& e) { return e.is_factor && e.origin.assumed; };
+    const std::vector<const Entry*> deciding =
+        std::ranges::any_of(inputs, is_assumed) ? deciding_inputs(step->account()) : std::vector<const Entry*>();
     for (const Entry& e : inputs) {
       const bool of_another =
           e.origin.assumed && !deciding.empty() && std::ranges::find(deciding, &e) == deciding.end();

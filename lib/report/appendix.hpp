@@ -20,7 +20,8 @@ using ShownFigures = std::set<const figure::Figure*>;
 std::vector<Block> appendix_blocks(const project::Project& project, Detail detail, const ShownFigures& shown);
 
 /// The elements of lists, a table for each list, under its key.
-std::vector<Table> list_tables(const std::vector<account::Entry>& entries);
+std::vector<Table> list_tables(const std::vector<const account::Entry*>& entries);
+std::vector<const account::Entry*> pointers_to(const std::vector<account::Entry>& entries);
 
 /// A value as one cell: a number, a word, or the range of a series.
 Cell cell_of(const account::Entry& entry);

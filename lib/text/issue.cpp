@@ -158,18 +158,17 @@ std::string Argument::text() const {
 }
 
 std::string Message::text() const {
+  if (id == "{1}" && args.size() == 1) return args.front().text();
   std::string out;
-  for (std::size_t i = 0; i < id.size(); ++i) {
-    const bool argument = id[i] == '{' && i + 2 < id.size() && id[i + 2] == '}' && id[i + 1] >= '1' && id[i + 1] <= '9';
+  std::size_t copied = 0;
+  for (std::size_t i = id.find('{'); i != std::string_view::npos; i = id.find('{', i + 1)) {
+    const bool argument = i + 2 < id.size() && id[i + 2] == '}' && id[i + 1] >= '1' && id[i + 1] <= '9';
     const auto index = argument ? static_cast<std::size_t>(id[i + 1] - '1') : args.size();
-    if (index < args.size()) {
-      out += args[index].text();
-      i += 2;
-    } else {
-      out += id[i];
-    }
+    if (index >= args.size()) continue;
+    out.append(id, copied, i - copied) += args[index].text();
+    copied = i + 3;
   }
-  return out;
+  return out.append(id, copied);
 }
 
 std::string render(std::vector<Issue> issues, const std::function<std::string(const std::string& file)>& source) {

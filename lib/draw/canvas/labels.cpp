@@ -9,6 +9,8 @@ namespace {
 // A name with a halo can be read over lines; over another name neither can be.
 constexpr double hit = 1e3, over_text = 4e3, outside = 1e4, crowded = 3.0, close_by = 4.0;
 
+constexpr std::size_t stretch = 16;  // segments of a line with an extent of their own: most are far from a label
+
 /// Whether one box lies wholly on one side of the other.
 bool is_apart(const Box& a, const Box& b) {
   return a.right < b.left || b.right < a.left || a.bottom < b.top || b.bottom < a.top;
@@ -49,14 +51,24 @@ Labels::Line::Line(std::vector<Point> points, double half_width, double weight)
     : points_(std::move(points)), half_width_(half_width), weight_(weight) {
   if (points_.empty()) return;
   extent_ = Box::around(points_.front(), 0.0, 0.0);
-  for (const Point& p : points_) extent_.include({p.x, p.y, p.x, p.y});
+  for (std::size_t begin = 0; begin + 1 < points_.size(); begin += stretch) {
+    Box extent = Box::around(points_[begin], 0.0, 0.0);
+    const std::size_t end = std::min(begin + stretch, points_.size() - 1);
+    for (std::size_t i = begin + 1; i <= end; ++i) extent.include(Box::around(points_[i], 0.0, 0.0));
+    extents_.push_back(extent);
+    extent_.include(extent);
+  }
 }
 
 bool Labels::Line::crosses(const Box& box) const {
   const Box wide = box.grown(half_width_);
   if (is_apart(wide, extent_)) return false;
-  for (std::size_t i = 1; i < points_.size(); ++i) {
-    if (enters(wide, points_[i - 1], points_[i])) return true;
+  for (std::size_t k = 0; k < extents_.size(); ++k) {
+    if (is_apart(wide, extents_[k])) continue;
+    const std::size_t end = std::min((k + 1) * stretch, points_.size() - 1);
+    for (std::size_t i = k * stretch; i < end; ++i) {
+      if (enters(wide, points_[i], points_[i + 1])) return true;
+    }
   }
   return false;
 }

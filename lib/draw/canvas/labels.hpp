@@ -41,6 +41,7 @@ class Labels {
    private:
     std::vector<Point> points_;
     Box extent_;
+    std::vector<Box> extents_;  // of one stretch after another
     double half_width_, weight_;
   };
   /// The cost of the candidate with all its collisions; summation stops at `enough`.

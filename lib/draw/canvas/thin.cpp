@@ -1,7 +1,5 @@
 #include "lib/draw/canvas/thin.hpp"
 
-#include <numbers>
-
 namespace loadpath::draw {
 namespace {
 
@@ -16,18 +14,20 @@ class Cone {
     const double distance = std::sqrt(dot(d, d));
     if (distance < reach_ - tolerance_) return false;
     if (distance > tolerance_) {
-      if (!open_) base_ = d, open_ = true;
-      const double turn = std::atan2(cross(base_, d), dot(base_, d)), half = std::asin(tolerance_ / distance);
-      if (turn < low_ || turn > high_) return false;
-      low_ = std::max(low_, turn - half), high_ = std::min(high_, turn + half);
+      if (open_ && (cross(low_, d) < 0.0 || cross(d, high_) < 0.0)) return false;
+      const double sine = tolerance_ / distance, cosine = std::sqrt(1.0 - sine * sine);
+      const Point low = cosine * d - sine * across(d), high = cosine * d + sine * across(d);
+      if (!open_ || cross(low_, low) > 0.0) low_ = low;
+      if (!open_ || cross(high, high_) > 0.0) high_ = high;
+      open_ = true;
     }
     reach_ = std::max(reach_, distance);
     return true;
   }
 
  private:
-  Point apex_, base_;
-  double tolerance_, reach_ = 0.0, low_ = -std::numbers::pi, high_ = std::numbers::pi;
+  Point apex_, low_, high_;  // the sides of the cone: less than half a turn from one to the other
+  double tolerance_, reach_ = 0.0;
   bool open_ = false;
 };
 

@@ -166,7 +166,7 @@ void fit_into_line(Table& table, const std::set<std::string>& kept) {
 /// The tables of the lists that govern, by falling utilisation; lists of the same elements are one table.
 std::vector<Table> joined_lists(const Step& step, const account::Modes& modes) {
   constexpr std::size_t least_columns = 5;
-  std::vector<Table> tables = list_tables(step.account().results);
+  std::vector<Table> tables = list_tables(pointers_to(step.account().results));
   for (Table& table : tables) drop_rounding(table);
   std::vector<Table> all;
   for (const std::string& list : governing_lists(step, modes)) {
@@ -228,16 +228,19 @@ std::vector<std::vector<const Step*>> grouped(const Project& project, const Step
   return groups;
 }
 
-/// A series as its value of the largest magnitude.
-std::vector<Entry> peaks_of(std::vector<Entry> entries) {
-  for (Entry& entry : entries) {
+/// The elements of a list; a series as its value of the largest magnitude.
+std::vector<Entry> peaks_of(const std::vector<Entry>& entries, std::string_view list) {
+  std::vector<Entry> peaks;
+  for (const Entry& entry : entries) {
+    if (!entry.path.starts_with(list)) continue;
+    peaks.push_back(entry);
     if (!entry.values().is_series()) continue;
     const double peak = largest(entry.values()).value;
-    entry.series = nullptr;
-    entry.value.si = {peak};
-    entry.value.signature.axis = nullptr;
+    peaks.back().series = nullptr;
+    peaks.back().value.si = {peak};
+    peaks.back().value.signature.axis = nullptr;
   }
-  return entries;
+  return peaks;
 }
 
 std::string step_names(const std::vector<const Step*>& steps) {
@@ -310,7 +313,8 @@ std::vector<Panel> load_panels(const project::Step& step) {
     return varies ? say("{1}, the largest of the cycle", component_name(step)) : say("{1}", component_name(step));
   };
   const auto add = [&](const std::vector<Entry>& entries, std::string_view list, Message title) {
-    for (const Table& all : list_tables(peaks_of(entries))) {
+    const std::vector<Entry> peaks = peaks_of(entries, list);
+    for (const Table& all : list_tables(pointers_to(peaks))) {
       if (all.caption.text() != list) continue;
       Table table = with_columns(all, fields);
       table.caption = {};

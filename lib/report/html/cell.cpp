@@ -56,7 +56,8 @@ std::string symbol(std::string_view path) {
   const NamedSymbol named = named_symbol(path);
   const std::string where = named.where.empty() ? "" : "<span class=\"where\">" + escaped(named.where) + "</span> ";
   if (is_word(named.symbol)) return where + escaped(named.symbol);
-  return where + math(formula::symbol_mathml(named.symbol));
+  const std::string shown = formula::symbol_html(named.symbol);
+  return where + (shown.starts_with("<math>") ? shown : "<i>" + shown + "</i>");
 }
 
 std::string quantity(std::string_view text) {

@@ -13,13 +13,10 @@ std::string bare(std::string formula) {
   return formula.substr(begin.size(), formula.size() - begin.size() - end.size());
 }
 
-/// "= a + b" as formulas between which the line may break.
-std::string side(std::vector<std::string> terms) {
-  terms.front().insert(0, "<mo>=</mo>");
+/// "= a + b"; the line may break between terms.
+std::string side(const std::vector<std::string>& terms) {
   std::string out;
-  for (const std::string& term : terms) {
-    out += (out.empty() ? "" : "<wbr>") + bare(math(term));
-  }
+  for (const std::string& term : terms) out.append(out.empty() ? "" : "<wbr>").append(term);
   return out;
 }
 
@@ -40,8 +37,8 @@ struct Sides {
 Sides sides_of(const Step& step, const Worked& w, const std::string& result) {
   if (step.formula.empty()) return {};
   if (!w.tree) return {"<code>= " + escaped(step.formula) + "</code>", ""};
-  Sides sides{side(formula::mathml_terms(*w.tree, {}, w.known)),
-              side(formula::mathml_terms(*w.tree, w.substituted, w.known))};
+  Sides sides{side(formula::equation_html(*w.tree, {}, w.known)),
+              side(formula::equation_html(*w.tree, w.substituted, w.known))};
   if (sides.numbers == sides.formula || sides.numbers == result) sides.numbers.clear();
   if (sides.formula == result) return {};
   return sides;
@@ -93,7 +90,7 @@ std::optional<Derivation> as_lines(const Table& table) {
 std::string derivation(const Derivation& derivation) {
   std::string out = "<ul class=\"derivation\">\n";
   for (const Step& step : derivation.steps) {
-    const std::string result = side({formula::quantity_mathml(written(step.value))});
+    const std::string result = formula::equation_html(written(step.value));
     const Worked w = step.formula.empty() ? Worked{} : worked(step);
     const Sides sides = sides_of(step, w, result);
     out += "<li" + classes_of(setting_of(step, w), sides, !step.why.empty()) + ">" + left_of(step) +

@@ -10,9 +10,6 @@
 
 namespace loadpath::report::page {
 
-/// One inline formula from MathML fragments.
-std::string math(std::string_view fragment);
-
 std::string symbol(std::string_view path);
 /// Running text, escaped; symbols of quantities in it have subscripts: "K_A", not "left_seat" or "values.K_A".
 std::string prose(std::string_view text);

@@ -75,6 +75,7 @@ bool is_exponent(std::string_view text, std::size_t begin, std::string_view word
 }  // namespace
 
 std::string prose(std::string_view text) {
+  if (text.find_first_of("_^") == std::string_view::npos) return escaped(text);
   std::string out;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = end_of_word(text, begin);

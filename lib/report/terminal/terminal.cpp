@@ -78,7 +78,7 @@ void show_table(const account::Table& table) {
 void show_lists(const project::Step& step) {
   const auto& account = step.account();
   if (!account.blocks.empty()) return;
-  for (const account::Table& table : report::list_tables(account.results)) {
+  for (const account::Table& table : report::list_tables(report::pointers_to(account.results))) {
     const std::string list = table.caption.text();
     const auto worked_out = std::count_if(account.scopes.begin(), account.scopes.end(),
                                           [&](const std::string& scope) { return scope.starts_with(list + "["); });

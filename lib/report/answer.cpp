@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 
 namespace loadpath::report {
 
@@ -51,14 +52,22 @@ std::string size_text(const Entry& entry) {
   return entry.path + (entry.path.size() > short_path ? " " : "\u00A0") + set("= " + text);
 }
 
+/// Whether a field, or one of its parts, is such a one: most calculators have none.
+bool has(std::span<const FieldInfo> fields, bool (*is_such)(const FieldInfo&)) {
+  return std::ranges::any_of(fields, [&](const FieldInfo& f) { return is_such(f) || has(f.fields, is_such); });
+}
+bool is_searched(const FieldInfo& field) { return *field.searched_in != '\0'; }
+bool is_chosen(const FieldInfo& field) { return field.is_chosen; }
+
 /// The sizes of a part: searched inputs, and given ones that might have been searched.
 std::vector<const Entry*> sizes_of(const Step& step) {
   std::vector<const Entry*> sizes = chosen(step.account());
   const auto& fields = step.input().calculator->input->fields;  // a result may have the same key
+  if (!has(fields, is_searched)) return sizes;
   for (const Entry& entry : step.account().inputs) {
     const FieldInfo* const field = find_field_at(fields, entry.path);
     const bool is_size =
-        field != nullptr && *field->searched_in != '\0' && !entry.origin.searched && entry.origin.sources.empty();
+        field != nullptr && is_searched(*field) && !entry.origin.searched && entry.origin.sources.empty();
     if (is_size && is_known(entry)) sizes.push_back(&entry);
   }
   return sizes;
@@ -89,9 +98,10 @@ std::vector<const Entry*> decided_on(const Step& step) {
   std::vector<const Entry*> decided;
   if (step.input().calculator->result == nullptr) return decided;  // a mechanism decides on none
   const auto& fields = step.input().calculator->result->fields;
+  if (!has(fields, is_chosen)) return decided;
   for (const Entry& entry : step.account().results) {
     const FieldInfo* const field = find_field_at(fields, entry.path);
-    if (field != nullptr && field->is_chosen && (!entry.word.empty() || is_known(entry))) decided.push_back(&entry);
+    if (field != nullptr && is_chosen(*field) && (!entry.word.empty() || is_known(entry))) decided.push_back(&entry);
   }
   return decided;
 }

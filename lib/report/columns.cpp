@@ -1,6 +1,7 @@
 #include "lib/report/columns.hpp"
 
 #include "lib/formula/formula.hpp"
+#include "lib/quantity/format.hpp"
 #include "lib/report/worked.hpp"
 
 #include <algorithm>
@@ -12,19 +13,20 @@ namespace {
 constexpr int few_digits = 4;  // digits of numbers in many columns; the calculation and JSON have more
 
 std::string shared_unit(const Table& table, std::size_t column) {
-  std::string unit;
+  std::string typed, unit;
   for (const auto& row : table.rows) {
     const auto* const q = column < row.size() ? std::get_if<Quantity>(&row[column]) : nullptr;
-    if (q == nullptr || !std::isfinite(q->si)) continue;
-    const std::string own = written(*q).unit;
+    if (q == nullptr || !std::isfinite(q->si) || (!unit.empty() && q->unit == typed)) continue;
+    typed = q->unit;
+    const std::string own = pretty_unit(typed);
     if (own.empty() || (!unit.empty() && own != unit)) return {};
     unit = own;
   }
   return unit;
 }
 
-double letters_in(const Cell& of, const Column& column) {
-  if (const auto* const q = std::get_if<Quantity>(&of)) return letters_of(number_of(*q, column));
+double letters_in(const Cell& of, const std::string& number) {
+  if (std::holds_alternative<Quantity>(of)) return letters_of(number);
   constexpr double longest_word = 13.0;  // "not available" breaks
   if (const auto* const text = std::get_if<std::string>(&of)) return letters_of(*text);
   if (const auto* const sized = std::get_if<Sized>(&of)) return letters_of(sized->text + sized->behind()) + 1.0;
@@ -50,8 +52,12 @@ Column column_of(const Table& table, std::size_t index, bool numeric) {
   Column column{index, numeric, shared_unit(table, index)};
   constexpr double symbol_share = 0.6;  // its subscript is small
   column.letters = symbol_share * letters_of(formula::symbol_plain(table.head[index].text()));
-  for (const auto& row : table.rows)
-    column.letters = std::max(column.letters, index < row.size() ? letters_in(row[index], column) : 0.0);
+  column.numbers.reserve(table.rows.size());
+  for (const auto& row : table.rows) {
+    const auto* const q = index < row.size() ? std::get_if<Quantity>(&row[index]) : nullptr;
+    column.numbers.push_back(q == nullptr ? std::string() : number_of(*q, column));
+    if (index < row.size()) column.letters = std::max(column.letters, letters_in(row[index], column.numbers.back()));
+  }
   return column;
 }
 

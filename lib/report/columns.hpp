@@ -23,6 +23,7 @@ struct Column {
   bool numeric = false;
   std::string unit = {};
   double letters = 0.0;
+  std::vector<std::string> numbers = {};  // by row; empty for words
 };
 Column column_of(const Table& table, std::size_t index, bool numeric);
 

@@ -53,11 +53,11 @@ std::string number_cell(const Cell& of, const std::string& quantity, bool marked
   return "<td" + (words.empty() ? std::string() : classes({number, "words"})) + ">" + words + "</td>";
 }
 
-std::string close_cell(const Cell& of, const Column& column, bool marked) {
-  const auto* const q = std::get_if<Quantity>(&of);
-  const std::string quantity = q == nullptr ? std::string() : number_of(*q, column);
-  if (column.numeric) return number_cell(of, quantity, marked);
-  return "<td>" + (q == nullptr ? cell(of) : "<span class=\"quantity\">" + page::quantity(quantity) + "</span>") +
+std::string close_cell(const Cell& of, const std::string& quantity, bool is_numeric, bool marked) {
+  if (is_numeric) return number_cell(of, quantity, marked);
+  return "<td>" +
+         (!std::holds_alternative<Quantity>(of) ? cell(of)
+                                                : "<span class=\"quantity\">" + page::quantity(quantity) + "</span>") +
          "</td>";
 }
 
@@ -78,9 +78,11 @@ std::string close_part(const Table& table, const Part& part) {
   std::string out = "<div class=\"scroll\"><table" + classes({"dense", finer, numbers}) + ">\n<thead><tr>";
   for (const Column& c : columns) out += head_cell(table.head[c.index], marked && c.numeric, c.unit);
   out += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : table.rows) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& row = table.rows[i];
     out += "<tr>";
-    for (const Column& c : columns) out += c.index < row.size() ? close_cell(row[c.index], c, marked) : "<td></td>";
+    for (const Column& c : columns)
+      out += c.index < row.size() ? close_cell(row[c.index], c.numbers[i], c.numeric, marked) : "<td></td>";
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>";

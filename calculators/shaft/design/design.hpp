@@ -125,7 +125,7 @@ r_T = 0
       Choice{&Input::method, "method", "governing fatigue method"}.may_be_missing(),
       Choice{&Input::group, "group", "group of materials, for the fatigue limit"},
       Choice{&Input::finish, "finish", "surface finish"}.may_be_missing(),
-      Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens in bending, r = -1"}
+      Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens in bending, r = −1"}
           .positive()
           .usually(10, 1500)
           .may_be_missing(),

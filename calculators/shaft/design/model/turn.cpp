@@ -13,14 +13,17 @@ namespace {
 
 using Input = DesignInput;
 
-/// Between its extremes; `r`: least over largest, where it starts and stops too.
+/// Between its extremes; `r`: least over largest, where it starts and stops too. The mean of opposite extremes is zero,
+/// not what rounding leaves of their sum.
 template <class Quantity>
 Swing<Quantity> between(Quantity least, Quantity most, double r = unset<double>) {
   if (is_set(r)) {
     const Quantity back = r * (abs(least) > abs(most) ? least : most);
     least = min(least, back), most = max(most, back);
   }
-  return {(most - least) / 2.0, (most + least) / 2.0};
+  constexpr double rounding = 1e-11;  // of the difference
+  const bool are_opposite = abs(most + least) <= rounding * (most - least);
+  return {(most - least) / 2.0, are_opposite ? 0.0 * most : (most + least) / 2.0};
 }
 
 /// The points around a section at which bending is looked for: per half circumference, for the other half has opposite

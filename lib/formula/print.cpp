@@ -77,10 +77,12 @@ class Printer {
     if (minus) number.remove_prefix(1);
     if (number.empty() || number.front() < '0' || number.front() > '9') return {to_.words(value.number)};
     const std::size_t e = std::min(number.find('e'), number.size());
-    std::string text = to_.number(number.substr(0, e));
-    if (e < number.size()) text += to_.infix("*") + power_of_ten(number.substr(e + 1));
+    const std::string_view digits = number.substr(0, e);
+    const bool has_power = e < number.size(), is_power = has_power && digits == "1";  // 10⁷, not 1 · 10⁷
+    std::string text = is_power ? power_of_ten(number.substr(e + 1)) : to_.number(digits);
+    if (has_power && !is_power) text += to_.infix("*") + power_of_ten(number.substr(e + 1));
     if (!value.unit.empty()) text = to_.quantity(text, value.unit);
-    const bool whole = !minus && value.unit.empty() && e == number.size();
+    const bool whole = !minus && value.unit.empty() && !has_power;
     return {(minus ? to_.minus() : "") + text, whole ? Level::atom : Level::product,
             value.unit.empty() ? Form::number : Form::quantity, minus};
   }

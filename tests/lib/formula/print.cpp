@@ -182,6 +182,8 @@ TEST_SUITE("formula") {
     CHECK(equation_html({"27.35", "mm"}) == "= 27.35\u2009mm");
     CHECK(equation_html({"27.35", "mm³"}) == "= 27.35\u2009mm<sup>3</sup>");
     CHECK(equation_html({"-2", ""}) == "= −2");
+    CHECK(equation_html({"1e7", ""}) == "= 10<sup>7</sup>");
+    CHECK(quantity_plain({"-1e-9", "m"}) == "−10⁻⁹ m");
     CHECK(equation_html({"1.5e9", "Pa"}) == "= 1.5 ⋅ 10<sup>9</sup>\u2009Pa");
     CHECK(equation_html({"not available", ""}) == "= not available");
     CHECK(quantity_tex({"1.5e9", "mm²"}) == "1.5 \\cdot 10^{9}\\thinspace \\mathrm{mm^{2}}");

@@ -188,7 +188,7 @@ void means(Stages& all, Result& r, Tracer& trace) {
   const double P_m = all.size() == 1 ? P_max : P_max * std::pow(wear / turns, 1.0 / r.p);
   if (is_set(turns)) r.n_m = trace.speed("n_m", from_si<AngularSpeed>(turns), "sum of q n over the blocks");
   r.P_m = trace.value("P_m", from_si<Force>(P_m),
-                      "(sum P^p n q / sum n q)^(1/p) over the blocks, by linear damage, [SEED-bearings]");
+                      "mean of P to the power p over the revolutions of the blocks, by linear damage, [SEED-bearings]");
 }
 
 /// Life in revolutions and hours; none if under almost no load it exceeds the range of numbers.

@@ -75,7 +75,7 @@ S_F = 1.5
              Field{&Input::tau_m, "tau_m", MPa, "mean shear stress"}.load(),
              Field{&Input::tau_a, "tau_a", MPa, "amplitude of the shear stress"}.load().at_least(0),
              Field{&Input::sigma_D, "sigma_D", MPa,
-                   "fatigue limit of the part in normal stresses, r = -1: of fatigue.endurance"}
+                   "fatigue limit of the part in normal stresses, r = −1: of fatigue.endurance"}
                  .positive()
                  .usually(5, 1500),
              Field{&Input::tau_D, "tau_D", MPa, "the same in shear: of fatigue.endurance with loading = \"torsion\""}

@@ -29,7 +29,7 @@ struct Cycle {
   static constexpr auto scope =
       "Maximum, minimum and mean stress, amplitude, stress ratio and type of a cycle from any two of them, for "
       "normal or shear stress, with yielding by the maximum stress and, where no tensile mean stress acts, the "
-      "amplitude against a fatigue limit at r = -1; mean stress and life: fatigue.life.";
+      "amplitude against a fatigue limit at r = −1; mean stress and life: fatigue.life.";
   static constexpr auto source = "[B20]";
   static constexpr auto headline = "sigma_a = {sigma_a}";
   static constexpr auto subject = "the stress cycle";
@@ -86,7 +86,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                  .may_be_missing()
                  .factor(),
              Field<Input, Stress>{&Input::sigma_D, "sigma_D", MPa,
-                                  "fatigue limit of the part, r = -1, as nominal stress, e.g. of fatigue.endurance"}
+                                  "fatigue limit of the part, r = −1, as nominal stress, e.g. of fatigue.endurance"}
                  .positive()
                  .usually(5, 1500)
                  .may_be_missing(),
@@ -123,7 +123,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
           Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: amplitude over the limit, with its safety"}.check(
               "sigma_D"),
           Field<Result, double>{&Result::x_m, "x_m", ratio,
-                                "mean stress over the amplitude, where it lowers the limit of r = -1"}
+                                "mean stress over the amplitude, where it lowers the limit of r = −1"}
               .limit(0, same, "sigma_D")
               .where_it_applies(),
           cycles_over_told<Result>(&Result::x_N),

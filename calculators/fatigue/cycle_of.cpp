@@ -46,10 +46,10 @@ Objection of_min(Stress sigma_min, double r) {
 
 Objection of_mean(Stress sigma_m, double r) {
   if (r == -1.0) {
-    return {"a fully reversed cycle, r = -1, has no mean stress: sigma_m does not determine the cycle",
+    return {"a fully reversed cycle, r = −1, has no mean stress: sigma_m does not determine the cycle",
             "give sigma_max, sigma_min or sigma_a with r"};
   }
-  if (sigma_m == zero) return {"a mean stress of zero occurs only at r = -1", "give sigma_a in place of sigma_m"};
+  if (sigma_m == zero) return {"a mean stress of zero occurs only at r = −1", "give sigma_a in place of sigma_m"};
   if (sigma_m > zero && !(r > -1.0 && r <= 1.0)) return {"a positive mean stress needs -1 < r <= 1", ""};
   if (sigma_m < zero && r > -1.0 && r < 1.0)
     return {"a negative mean stress needs r < -1 or r >= 1, or an infinite r", ""};

@@ -163,7 +163,7 @@ double part_of_yield(const Input& in, const Characteristics& r, Tracer& trace) {
 
 constexpr auto choices_of(Kind) {
   return std::array{
-      ChoiceName<Kind>{Kind::symmetric, "symmetric", "r = -1: fully reversed"},
+      ChoiceName<Kind>{Kind::symmetric, "symmetric", "r = −1: fully reversed"},
       ChoiceName<Kind>{Kind::above, "pulsating-above", "r = 0: pulsating tension"},
       ChoiceName<Kind>{Kind::below, "pulsating-below", "r infinite: pulsating compression"},
       ChoiceName<Kind>{Kind::constant, "static", "r = 1: static"},

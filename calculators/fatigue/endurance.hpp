@@ -70,7 +70,7 @@ R_z = "6.3 um"
       Choice{&Input::group, "group", "group of materials"},
       Choice{&Input::loading, "loading", "loading type"},
       Choice{&Input::rule, "rule", "rule for estimating the fatigue limit"}.may_be_missing(),
-      Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens, r = -1, in place of a rule"}
+      Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens, r = −1, in place of a rule"}
           .positive()
           .usually(10, 1500)
           .may_be_missing(),
@@ -150,7 +150,7 @@ R_z = "6.3 um"
       Field{&Result::k_d, "k_d", ratio, "temperature factor of Marin's school"},
       Field{&Result::k_e, "k_e", ratio, "reliability factor of Marin's school"},
       Field{&Result::d_e, "d_e", mm, "diameter of the equivalent rotating bar"},
-      Field{&Result::sigma_D, "sigma_D", MPa, "fatigue limit of the part, r = -1, as nominal stress"},
+      Field{&Result::sigma_D, "sigma_D", MPa, "fatigue limit of the part, r = −1, as nominal stress"},
       Field{&Result::x_d, "x_d", ratio,
             "position of d in the range of the size factor: 0 at its minimum, 1 at its maximum"}
           .limit(0, 1 + 1e-9, "d, h"),

@@ -97,7 +97,7 @@ S_F = 1.5
       Fields{
           Choice<Input, Stresses>{&Input::stress, "stress", "stress component: normal or shear"}.may_be_missing(),
           F<Stress>{&Input::sigma_D, "sigma_D", MPa,
-                    "fatigue limit of the part, r = -1, as nominal stress, e.g. of fatigue.endurance"}
+                    "fatigue limit of the part, r = −1, as nominal stress, e.g. of fatigue.endurance"}
               .positive()
               .usually(5, 1500)
               .may_be_missing(),

@@ -55,7 +55,7 @@ void limit_in_symmetric_cycles(const Din743Steel& steel, const Din743Section& s,
   const double beta = k.beta, K_2 = k.K_2, K_R = k.K_R;
   STEP_TO(k, K_sigma, (beta / K_2 + 1.0 / K_R - 1.0) / s.K_V, "total influence, [DIN743] part 1 (8), (9)");
   const Stress sigma_W = smooth_limit(steel, kind, r, trace), sigma_Bd = r.sigma_Bd;
-  STEP_TO(k, sigma_WK, sigma_W / K_sigma, "of the section, r = -1, [DIN743] part 1 (5) to (7)");
+  STEP_TO(k, sigma_WK, sigma_W / K_sigma, "of the section, r = −1, [DIN743] part 1 (5) to (7)");
   STEP_TO(k, psi, sigma_WK / (2.0 * sigma_Bd - sigma_WK), "sensitivity to mean stress, [DIN743] part 1 (20) to (22)");
 }
 

@@ -101,7 +101,7 @@ struct Din743Stress {
       Field<K, double>{&K::K_2, "K_2", ratio, "size of the section"},
       Field<K, double>{&K::K_R, "K_R", ratio, "roughness: K_F, relative to the bars used to measure beta"},
       Field<K, double>{&K::K_sigma, "K_sigma", ratio, "total influence, in torsion K_tau"},
-      Field<K, Stress>{&K::sigma_WK, "sigma_WK", MPa, "fatigue limit of the section, r = -1"},
+      Field<K, Stress>{&K::sigma_WK, "sigma_WK", MPa, "fatigue limit of the section, r = −1"},
       Field<K, double>{&K::psi, "psi", ratio, "sensitivity to mean stress"},
       Field<K, Stress>{&K::sigma_FK, "sigma_FK", MPa, "yield limit of the section"},
       Field<K, Stress>{&K::sigma_mv, "sigma_mv", MPa, "equivalent mean stress, in torsion tau_mv"},

@@ -61,8 +61,8 @@ constexpr auto fkm_steel() {
           .usually(0.75, 1)
           .may_be_missing()
           .factor(),
-      limit_of_bars<Input>(&Input::sigma_W, "sigma_W", "fatigue limit in tension in this size, R = -1, else by R_m"),
-      limit_of_bars<Input>(&Input::tau_W, "tau_W", "fatigue limit in shear in this size, R = -1, else by R_m")};
+      limit_of_bars<Input>(&Input::sigma_W, "sigma_W", "fatigue limit in tension in this size, R = −1, else by R_m"),
+      limit_of_bars<Input>(&Input::tau_W, "tau_W", "fatigue limit in shear in this size, R = −1, else by R_m")};
 }
 
 template <class Input>

@@ -120,7 +120,7 @@ Stress fkm_limit(const FkmSteel& s, bool shear, double shear_factor, Stress stre
   const double f_s = trace.value("f_s", fkm_row(s.steel).sigma, "part of the tensile strength, [FKM] 2.2");
   const double f_W = shear_factor;
   const Stress R_md = strength;
-  return NAMED_STEP("sigma_W", f_W * f_s * R_md, "of the material, R = -1, [FKM] 2.2");
+  return NAMED_STEP("sigma_W", f_W * f_s * R_md, "of the material, R = −1, [FKM] 2.2");
 }
 
 template <class Tracer>

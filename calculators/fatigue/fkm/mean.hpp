@@ -23,7 +23,7 @@ Stress amplitude_along(Stress held, double way, const Haigh& h, const char* why,
 /// K_AK: the amplitude that lasts over that of symmetric cycles. The stress varies.
 template <class Tracer>
 double mean_stress_factor(Overload overload, FkmStress& k, Tracer& trace) {
-  const Stress S_e = trace.value("S_e", k.sigma_WK, "of the section, R = -1");
+  const Stress S_e = trace.value("S_e", k.sigma_WK, "of the section, R = −1");
   const Stress sigma_a = k.sigma_a, sigma_m = trace.value("sigma_m", k.sigma_mv, "as the fields count it");
   const double M = k.M;
   if (overload == Overload::F2) {

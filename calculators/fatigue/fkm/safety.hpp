@@ -90,7 +90,7 @@ FkmStress stress_of_section(const FkmSteel& steel, const Din743Section& s, const
   k.sigma_W = fkm_limit(steel, acting.kind == Stressing::torsion, root.f_W, r.R_md, trace);
   const Stress sigma_W = k.sigma_W;
   const double K_WK = k.K_WK;
-  STEP_TO(k, sigma_WK, sigma_W / K_WK, "fatigue limit of the section, R = -1, [FKM] 2.4");
+  STEP_TO(k, sigma_WK, sigma_W / K_WK, "fatigue limit of the section, R = −1, [FKM] 2.4");
   k.M = fkm_sensitivity(steel, root.f_W, r.R_md, trace);
   static_strength(s, steel, l, r.R_ed, acting.kind, k, trace);
   return k;

@@ -79,7 +79,7 @@ struct FkmStress {
       Field<K, double>{&K::K_R, "K_R", ratio, "roughness"},
       Field<K, double>{&K::K_WK, "K_WK", ratio, "design factor: notch, roughness, surface treatment"},
       Field<K, Stress>{&K::sigma_W, "sigma_W", MPa, "fatigue limit of the material in tension, in torsion in shear"},
-      Field<K, Stress>{&K::sigma_WK, "sigma_WK", MPa, "fatigue limit of the section, R = -1"},
+      Field<K, Stress>{&K::sigma_WK, "sigma_WK", MPa, "fatigue limit of the section, R = −1"},
       Field<K, double>{&K::M, "M", ratio, "sensitivity to mean stress"},
       Field<K, Stress>{&K::sigma_mv, "sigma_mv", MPa, "effective mean stress"},
       Field<K, double>{&K::K_AK, "K_AK", ratio, "mean stress factor"},

@@ -133,7 +133,7 @@ template <class Tracer>
 void largest_cycle(const Input& in, const Weights& w, Result& r, Tracer& trace) {
   const Cycle& worst = w.weighed.worst.front().cycle;
   r.S_1 = on_curve(in, haigh_of(in), worst, trace);
-  r.sigma_a1 = in.K_A * amplitude_of(worst), r.sigma_m1 = in.K_A * mean_of(worst);
+  r.sigma_a1 = in.K_A * amplitude_of(worst), r.sigma_mean = in.K_A * mean_of(worst);
   const auto N = w.curve.cycles(r.S_1 / MPa);
   r.N_S1 = N ? trace.value("N_S1", *N, "cycles on the curve, not reversals") : endless;
   if (const auto least = w.curve.cycles(w.weighed.largest))
@@ -244,7 +244,7 @@ std::vector<figure::Figure> History::figures(const Input& in, const Result& r) {
   const double largest = *std::ranges::max_element(stress);
   for (figure::Figure& figure :
        collective_figure(cycles, stress, curve_by(weighing_rule(in), in, largest), is_set(in.n_req) ? in.n_req : 1.0,
-                         is_of_part(in) ? "amplitude at r = -1" : "range"))
+                         is_of_part(in) ? "amplitude at r = −1" : "range"))
     figures.push_back(std::move(figure));
   return figures;
 }

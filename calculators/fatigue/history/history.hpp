@@ -92,7 +92,7 @@ n_req = 1
       Choice{&Input::residue, "residue", "treatment of the rainflow residue"}.may_be_missing(),
       Field{&Input::gate, "gate", MPa, "ranges below are not counted"}.at_least(0),
       Choice{&Input::curve, "curve", "S-N curve"}.may_be_missing(),
-      Field{&Input::sigma_D, "sigma_D", MPa, "curve of a part: fatigue limit, amplitude at r = -1"}
+      Field{&Input::sigma_D, "sigma_D", MPa, "curve of a part: fatigue limit, amplitude at r = −1"}
           .positive()
           .usually(1, 1500)
           .may_be_missing(),
@@ -173,8 +173,8 @@ n_req = 1
       Field{&Result::sigma_max, "sigma_max", MPa, "maximum stress, with the application factor"}.holding("K_A"),
       Field{&Result::sigma_min, "sigma_min", MPa, "minimum stress, with the application factor"}.holding("K_A"),
       Field{&Result::sigma_a1, "sigma_a1", MPa, "amplitude of the most damaging cycle"}.holding("K_A"),
-      Field{&Result::sigma_m1, "sigma_m1", MPa, "its mean stress"}.holding("K_A"),
-      Field{&Result::S_1, "S_1", MPa, "its stress on the curve, with S_D: amplitude at r = -1, or range of a detail"},
+      Field{&Result::sigma_mean, "sigma_mean", MPa, "its mean stress"}.holding("K_A"),
+      Field{&Result::S_1, "S_1", MPa, "its stress on the curve, with S_D: amplitude at r = −1, or range of a detail"},
       Field{&Result::N_S1, "N_S1", ratio, "cycles to failure at this stress"}.may_be_infinite(),
       Field{&Result::D_original, "D_original", ratio, "damage of one passage, Miner's original rule"},
       Field{&Result::D_elementary, "D_elementary", ratio, "the same, elementary: one slope for all"},

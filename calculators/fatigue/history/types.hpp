@@ -111,7 +111,7 @@ struct HistoryTypes {
 
   struct Result {
     double n = unset<double>;
-    Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>, sigma_a1 = unset<Stress>, sigma_m1 = unset<Stress>;
+    Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>, sigma_a1 = unset<Stress>, sigma_mean = unset<Stress>;
     Stress S_1 = unset<Stress>;
     double N_S1 = unset<double>;
     double D_original = unset<double>, D_elementary = unset<double>, D_modified = unset<double>,

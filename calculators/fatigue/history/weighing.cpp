@@ -16,20 +16,20 @@ using rainflow::Cycle;
 template <class Tracer>
 Stress on_curve(const Input& in, const Haigh& haigh, const Cycle& cycle, Tracer& trace) {
   const Stress sigma_a0 = trace.value("sigma_a0", amplitude_of(cycle), "amplitude, as counted");
-  const Stress sigma_m0 = trace.value("sigma_m0", mean_of(cycle), "mean stress, as counted");
+  const Stress sigma_mc = trace.value("sigma_mc", mean_of(cycle), "mean stress, as counted");
   STEP(sigma_a, in.K_A * sigma_a0, "with the application factor");
   if (!HistoryTypes::is_of_part(in))
     return NAMED_STEP("S_1", 2.0 * in.S_D * sigma_a, "range, with the safety on stress");
   if (!counts_means(in) || sigma_a == 0.0 * MPa)
     return NAMED_STEP("S_1", in.S_D * sigma_a, "with the safety on stress; its mean is not counted");
-  STEP(sigma_s, in.stress == Stresses::shear ? in.K_A * abs(sigma_m0) : in.K_A * sigma_m0,
+  STEP(sigma_s, in.stress == Stresses::shear ? in.K_A * abs(sigma_mc) : in.K_A * sigma_mc,
        "with the application factor; of shear its magnitude");
   STEP(sigma_m, in.mean == HistoryTypes::Means::fkm ? sigma_s : max(sigma_s, 0.0 * MPa),
        "the benefit of compression is considered by FKM only");
   if (in.stress == Stresses::shear && is_set(haigh.R_m)) trace.value("R_m", haigh.R_m, "of shear, [Shigley6] (6-54)");
   if (in.stress == Stresses::shear && is_set(haigh.R_e)) trace.value("R_e", haigh.R_e, "of shear, [Mises]");
   const Stress sigma_ar = equivalent(rule_of(in), haigh, {sigma_a, sigma_m}, trace);
-  return NAMED_STEP("S_1", in.S_D * sigma_ar, "amplitude at r = -1, with the safety on stress");
+  return NAMED_STEP("S_1", in.S_D * sigma_ar, "amplitude at r = −1, with the safety on stress");
 }
 template Stress on_curve(const Input&, const Haigh&, const Cycle&, NoTrace&);
 template Stress on_curve(const Input&, const Haigh&, const Cycle&, Trace&);

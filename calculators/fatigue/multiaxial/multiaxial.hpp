@@ -85,10 +85,10 @@ S_F = 1.5
               .at_least(1)
               .usually(1, 4)
               .factor(),
-          Field{&Input::sigma_D, "sigma_D", MPa, "fatigue limit of the point in normal stresses, r = -1"}
+          Field{&Input::sigma_D, "sigma_D", MPa, "fatigue limit of the point in normal stresses, r = −1"}
               .positive()
               .usually(5, 1500),
-          Field{&Input::tau_D, "tau_D", MPa, "the same in torsion, r = -1"}.positive().usually(3, 1000),
+          Field{&Input::tau_D, "tau_D", MPa, "the same in torsion, r = −1"}.positive().usually(3, 1000),
           diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
           Field{&Input::R_e, "R_e", MPa, "yield strength"}
               .positive()

@@ -129,8 +129,10 @@ void equivalent_torques(const Input& in, Result& r, Tracer& trace) {
   const auto of = [&](const char* symbol, double p, const char* why) {
     return trace.value(symbol, equivalent_torque(r.blocks, p), why);
   };
-  constexpr auto flank = "(sum n T^p / sum n)^(1/p), p half the exponent of the S-N curve for pitting, [ISO6336-6]";
-  constexpr auto root = "(sum n T^p / sum n)^(1/p), p the exponent of the S-N curve for the root, [ISO6336-6]";
+  constexpr auto flank =
+      "mean of T to the power p over the cycles, p half the exponent of the S-N curve for pitting, [ISO6336-6]";
+  constexpr auto root =
+      "mean of T to the power p over the cycles, p the exponent of the S-N curve for the root, [ISO6336-6]";
   r.T_H1 = of("T_H1", torque_exponent_of_flank(in.material_1), flank);
   r.T_H2 = of("T_H2", torque_exponent_of_flank(in.material_2), flank);
   r.T_F1 = of("T_F1", torque_exponent_of_root(in.material_1), root);

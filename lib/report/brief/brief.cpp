@@ -336,12 +336,13 @@ Page Pages::checking() {
   return page;
 }
 
+constexpr double real_share = 0.94;  // of the estimated height of lines, at most
+
 void Pages::add_derivations(double height, Page& page) const {
-  // mm; the estimated height of the lines is above the real one by 6 % at least
-  constexpr double of_sources = 42.0, heading = 8.0, real = 0.94;
+  constexpr double of_sources = 42.0, heading = 8.0;  // mm
   Derivations derivations = governing_derivations(project_, rows_, height - of_sources);
   for (Panel& panel : derivations.panels) page.bands.push_back(across(std::move(panel)));
-  Table sources = fitting(citations(derivations.sources), height - real * derivations.height - heading);
+  Table sources = fitting(citations(derivations.sources), height - real_share * derivations.height - heading);
   if (!sources.rows.empty())
     page.bands.push_back(
         across({say("References"), say("named on this page; all sources: appendix"), {std::move(sources)}}));
@@ -357,7 +358,7 @@ void Pages::add_recomputing(std::vector<Page>& pages) {
   add_derivations(rest_, derived);
   double all = 0.0;
   for (const Band& band : derived.bands) all += height_of_lines(band);
-  const double free = left >= half_empty ? left : all + reserve <= left ? all : 0.0;
+  const double free = real_share * all + reserve <= left ? all : left >= half_empty ? left : 0.0;
   double used = 0.0;
   for (Band& band : derived.bands) {
     used += height_of_lines(band);

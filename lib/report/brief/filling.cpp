@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace loadpath::report {
@@ -32,11 +33,16 @@ double full_height(const Band& band) {
   return highest;
 }
 
-std::size_t rows_that_fit(const Table& sources, double height) {
+/// Of a source, which is as wide as the page.
+double source_height(const std::vector<Cell>& row) {
   constexpr double letters_in_line = 105.0, of_line = 3.3, gap = 0.9;  // mm
+  return gap + of_line * std::ceil(letters_of(std::get<std::string>(row.back())) / letters_in_line);
+}
+
+std::size_t rows_that_fit(const Table& sources, double height) {
   std::size_t count = 0;
   for (const auto& row : sources.rows) {
-    height -= gap + of_line * std::ceil(letters_of(std::get<std::string>(row.back())) / letters_in_line);
+    height -= source_height(row);
     if (height < 0.0) break;
     ++count;
   }
@@ -49,8 +55,13 @@ std::string without_remarks(const std::string& source) { return source.substr(0,
 }  // namespace
 
 double height_of_lines(const Band& band) {
-  constexpr double below = 1.0;  // mm
+  constexpr double below = 1.0, heading = 8.0;  // mm
   const Panel& panel = band.front().panels.front();
+  const auto* const sources = panel.blocks.empty() ? nullptr : std::get_if<Table>(&panel.blocks.front());
+  if (sources != nullptr && sources->head.empty()) {
+    return std::accumulate(sources->rows.begin(), sources->rows.end(), heading,
+                           [](double height, const auto& row) { return height + source_height(row); });
+  }
   double height = 0.0;
   for (const Block& block : panel.blocks) {
     if (const auto* const lines = std::get_if<Derivation>(&block)) height += below + height_of(*lines);

@@ -27,7 +27,9 @@ std::string left_of(const Step& step) {
   return left.starts_with("<math>") ? left : "<span>" + left + "</span>";
 }
 
-std::string cell_of(const std::string& content) { return content.empty() ? "" : "<p>" + content + "</p>"; }
+void append_cell(std::string& out, const std::string& content) {
+  if (!content.empty()) ((out += "<p>") += content) += "</p>";
+}
 
 /// The two sides of an equation, each empty if it says nothing more than its result.
 struct Sides {
@@ -93,9 +95,12 @@ std::string derivation(const Derivation& derivation) {
     const std::string result = formula::equation_html(written(step.value));
     const Worked w = step.formula.empty() ? Worked{} : worked(step);
     const Sides sides = sides_of(step, w, result);
-    out += "<li" + classes_of(setting_of(step, w), sides, !step.why.empty()) + ">" + left_of(step) +
-           cell_of(sides.formula) + cell_of(sides.numbers) + cell_of(result) + cell_of(prose(step.why.text())) +
-           "</li>\n";
+    (out += "<li").append(classes_of(setting_of(step, w), sides, !step.why.empty())).append(">") += left_of(step);
+    append_cell(out, sides.formula);
+    append_cell(out, sides.numbers);
+    append_cell(out, result);
+    append_cell(out, prose(step.why.text()));
+    out += "</li>\n";
   }
   return out + "</ul>\n";
 }

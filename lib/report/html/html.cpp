@@ -236,11 +236,17 @@ std::string html(const Document& document, Folding folding) {
     page += writer.pages(document);
     if (document.has_appendix) page += writer.appendix(document, folding);
   }
-  return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-         escaped(document.title) + "</title>\n<style>\n" + page::style(running_of(document), document.paper, page) +
-         "</style>\n</head>\n<body>\n<main>\n" + page + "</main>\n" + writer.script() + "</body>\n</html>\n";
+  const std::string style = page::style(running_of(document), document.paper, page), script = writer.script();
+  constexpr std::size_t of_head = 1024;
+  std::string out;
+  out.reserve(style.size() + page.size() + script.size() + of_head);
+  out +=
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>";
+  out.append(escaped(document.title)).append("</title>\n<style>\n").append(style);
+  out.append("</style>\n</head>\n<body>\n<main>\n").append(page).append("</main>\n").append(script);
+  return out.append("</body>\n</html>\n");
 }
 
 }  // namespace loadpath::report

@@ -46,25 +46,34 @@ std::string head_cell(const Message& head, bool marked, const std::string& unit)
 }
 
 /// A cell of a numeric column keeps its line together; its quantities need no element of their own.
-std::string number_cell(const Cell& of, const std::string& quantity, bool marked) {
+void append_number(std::string& out, const Cell& of, const std::string& quantity, bool marked) {
   const std::string_view number = marked ? "number" : "";
-  if (std::holds_alternative<Quantity>(of)) return "<td" + classes({number}) + ">" + page::quantity(quantity) + "</td>";
+  if (std::holds_alternative<Quantity>(of)) {
+    (out += "<td").append(classes({number})).append(">").append(page::quantity(quantity)) += "</td>";
+    return;
+  }
   const std::string words = cell(of);
-  return "<td" + (words.empty() ? std::string() : classes({number, "words"})) + ">" + words + "</td>";
+  out += "<td";
+  if (!words.empty()) out += classes({number, "words"});
+  ((out += '>') += words) += "</td>";
 }
 
-std::string close_cell(const Cell& of, const std::string& quantity, bool is_numeric, bool marked) {
-  if (is_numeric) return number_cell(of, quantity, marked);
-  return "<td>" +
-         (!std::holds_alternative<Quantity>(of) ? cell(of)
-                                                : "<span class=\"quantity\">" + page::quantity(quantity) + "</span>") +
-         "</td>";
+void append_close(std::string& out, const Cell& of, const std::string& quantity, bool is_numeric, bool marked) {
+  if (is_numeric) return append_number(out, of, quantity, marked);
+  out += "<td>";
+  if (std::holds_alternative<Quantity>(of))
+    (out += "<span class=\"quantity\">").append(page::quantity(quantity)) += "</span>";
+  else
+    out += cell(of);
+  out += "</td>";
 }
 
-std::string wide_cell(const Cell& of, bool numeric, bool marked) {
+void append_wide(std::string& out, const Cell& of, bool numeric, bool marked) {
   const auto* const q = std::get_if<Quantity>(&of);
-  if (numeric) return number_cell(of, q == nullptr ? std::string() : formula::quantity_plain(written(*q)), marked);
-  return "<td>" + cell(of) + "</td>";
+  if (numeric)
+    append_number(out, of, q == nullptr ? std::string() : formula::quantity_plain(written(*q)), marked);
+  else
+    ((out += "<td>") += cell(of)) += "</td>";
 }
 
 std::string close_part(const Table& table, const Part& part) {
@@ -81,8 +90,12 @@ std::string close_part(const Table& table, const Part& part) {
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto& row = table.rows[i];
     out += "<tr>";
-    for (const Column& c : columns)
-      out += c.index < row.size() ? close_cell(row[c.index], c.numbers[i], c.numeric, marked) : "<td></td>";
+    for (const Column& c : columns) {
+      if (c.index < row.size())
+        append_close(out, row[c.index], c.numbers[i], c.numeric, marked);
+      else
+        out += "<td></td>";
+    }
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>";
@@ -124,7 +137,7 @@ std::string wide(const Table& table, const std::vector<bool>& numeric) {
   out += "<tbody>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) out += wide_cell(row[i], numeric[i], marked);
+    for (std::size_t i = 0; i < row.size(); ++i) append_wide(out, row[i], numeric[i], marked);
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>";

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -58,56 +59,24 @@ double Evaluation::first_size() {
 
 /// A strength falls with the size that it is looked up at, so the size only grows from one round to the next. If a
 /// row is stronger at a larger size it may alternate: then no size is consistent with the values at itself.
-void Evaluation::settle_sizes_from(double size, Result wanted) {
+void Evaluation::settle_sizes_from(double size) {
   unsettled_ = {};
   if (inputs_.size_field().empty()) {
     inputs_.set_values_of_rows(not_available);
     return;
   }
   double before = size, two_before = size;
-  RecordState began;
   for (int round = 0; round < most_size_rounds; ++round) {
     const bool changed = inputs_.set_values_of_rows(size);
     settled_ = size;
-    if (round == 0 && remembers_sizes()) {
-      began = state_of(record(), inputs_.provided());
-      if (take_settled(began, wanted)) return;
-    }
-    if (round > 0 && !changed) return keep_settled(std::move(began));  // the same values give the same size
+    if (round > 0 && !changed) return;  // the same values give the same size
     const double next = size_now();
-    if (std::isnan(next)) return;  // without a size something is not available; the checks report it
-    if (next == size) return keep_settled(std::move(began));
+    if (std::isnan(next) || next == size) return;  // without a size something is not available; the checks report it
     two_before = before;
     before = size;
     size = next;
   }
   unsettled_ = unsettled_size(two_before, before, size);
-}
-
-/// Whether it is known how the record settles that begins like this; then it is set so.
-bool Evaluation::take_settled(const RecordState& began, Result wanted) {
-  const Settled* const known = settled_records_.find(began);
-  if (known == nullptr) return false;
-  settled_ = known->size;
-  inputs_.set_values_of_rows(settled_);
-  if (wanted == Result::current && positions() == 1) {
-    result_.type->copy(known->result.data.get(), result_.data.get());
-    evaluated_ = state_of(record(), inputs_.provided());
-  }
-  return true;
-}
-
-void Evaluation::keep_settled(RecordState began) {
-  if (!remembers_sizes()) return;
-  RecordState settled = state_of(record(), inputs_.provided());
-  if (positions() == 1) evaluated_ = settled;
-  settled_records_.add(std::move(began), std::move(settled), {settled_, positions() == 1 ? result_.clone() : Record{}});
-}
-
-/// A part with several sizes, one of which is a result: each round evaluates all of it.
-bool Evaluation::remembers_sizes() const {
-  const bool has_sizes = !std::string_view(calculator_.sizing.list).empty();
-  return has_sizes && find_field(calculator_.result->fields, inputs_.size_field()) != nullptr;
 }
 
 /// Only a result changes between rounds.
@@ -122,9 +91,29 @@ Message Evaluation::unsettled_size(double two_before, double before, double now)
 
 bool Evaluation::evaluate_at(std::size_t i) {
   if (!set_position(i)) return false;
-  const bool is_current = evaluated_ && *evaluated_ == state_of(record(), inputs_.provided());
-  if (!is_current) evaluate_record();
+  if (remembers_results())
+    evaluate_or_remember();
+  else
+    evaluate_record();
   return true;
+}
+
+/// A search comes back to parts that have several sizes, one of which the tables need: of one position.
+bool Evaluation::remembers_results() const {
+  const bool has_sizes = *calculator_.sizing.list != '\0';
+  return has_sizes && positions() == 1 && find_field(calculator_.result->fields, inputs_.size_field()) != nullptr;
+}
+
+void Evaluation::evaluate_or_remember() {
+  RecordState state = state_of(record(), inputs_.provided());
+  if (evaluated_ == state) return;
+  if (const Record* const known = evaluated_records_.find(state)) {
+    result_.type->copy(known->data.get(), result_.data.get());
+  } else {
+    evaluate_record();
+    evaluated_records_.add(state, result_.clone());
+  }
+  evaluated_ = std::move(state);
 }
 
 double Evaluation::largest_result(const FieldInfo& field) {

@@ -2,8 +2,8 @@
 // the sizes that follow from them.
 #pragma once
 
+#include "lib/project/run/evaluation/evaluated_records.hpp"
 #include "lib/project/run/evaluation/inputs.hpp"
-#include "lib/project/run/evaluation/settled.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -30,12 +30,10 @@ class Evaluation {
   [[nodiscard]] bool holds(std::size_t rule) const { return calculator_.holds(rule, record().data.get()); }
   [[nodiscard]] Issue broken_rule(std::size_t rule) const;
 
-  /// Sets values of rows at the size that follows from them.
-  void settle_sizes() { settle_sizes_from(first_size(), Result::current); }
-  /// The same before an evaluation: the result need not be that of these values.
-  void settle_sizes_before() { settle_sizes_from(first_size(), Result::any); }
+  /// Sets values of rows at the size that follows from them. Only an evaluation afterwards has the result of them.
+  void settle_sizes() { settle_sizes_from(first_size()); }
   /// The same, from the size that was found last: a neighbouring candidate needs fewer rounds.
-  void settle_sizes_again() { settle_sizes_from(settled_, Result::current); }
+  void settle_sizes_again() { settle_sizes_from(settled_); }
   [[nodiscard]] bool is_settled() const { return unsettled_.empty(); }
   /// Why the size does not settle.
   [[nodiscard]] const Message& unsettled() const { return unsettled_; }
@@ -60,11 +58,9 @@ class Evaluation {
   [[nodiscard]] Message missing() const { return is_settled() ? inputs_.missing() : unsettled_; }
 
  private:
-  enum class Result { current, any };
-  void settle_sizes_from(double size, Result wanted);
-  bool take_settled(const RecordState& began, Result wanted);
-  void keep_settled(RecordState began);
-  [[nodiscard]] bool remembers_sizes() const;
+  void settle_sizes_from(double size);
+  [[nodiscard]] bool remembers_results() const;
+  void evaluate_or_remember();
   /// NaN if nothing gives it.
   [[nodiscard]] double size_now();
   [[nodiscard]] double first_size();
@@ -76,8 +72,8 @@ class Evaluation {
   Record result_;
   double settled_ = 0.0;  // size at which values of rows were last looked up
   Message unsettled_;
-  SettledRecords settled_records_;
-  std::optional<RecordState> evaluated_;  // the record that the result is of, if it has settled
+  EvaluatedRecords evaluated_records_;
+  std::optional<RecordState> evaluated_;  // the record that the result is of, where results are remembered
 };
 
 }  // namespace loadpath::project

@@ -60,7 +60,7 @@ Results evaluate_all(Evaluation& evaluation, bool in_words) {
   const auto& fields = evaluation.calculator().result->fields;
   Results results{{}, std::vector<Applies>(evaluation.calculator().modes.size(), Applies::no)};
   std::vector<std::size_t> order, shape;  // order and shape of the result with these series
-  evaluation.settle_sizes_before();
+  evaluation.settle_sizes();
   for (std::size_t i = 0; i < evaluation.positions(); ++i) {
     const bool is_available = evaluation.set_position(i);
     add_applies(evaluation, is_available, results.applies);
@@ -68,7 +68,7 @@ Results evaluate_all(Evaluation& evaluation, bool in_words) {
     if (in_words && evaluation.positions() == 1)
       evaluation.explain_record(results.trace.emplace());
     else
-      evaluation.evaluate_record();
+      evaluation.evaluate_at(i);
     void* const result = evaluation.result().data.get();
     std::vector<std::size_t> here = list_sizes(fields, result);
     if (results.series.empty() || here != shape) {

@@ -24,7 +24,6 @@ Issue JointSearch::no_sizes() {
     const bool are_set = sizes_.set(sizes);
     if (!are_set) sizes_.set_alone(sizes);
     is_arranged = is_arranged || are_set;
-    settle();
     const std::set<std::size_t> broken = passing_.broken_rules();
     if (!always) always = broken;
     std::erase_if(*always, [&](std::size_t rule) { return !broken.contains(rule); });
@@ -64,8 +63,7 @@ void JointSearch::leave_open(SizeIndices nearest) {
   last_.reset();
   for (const double level : sizes_.levels()) {
     if (!sizes_.set(sizes_.first_from(level)) || !tried.insert(sizes_.now()).second) continue;
-    evaluation_.settle_sizes_again();
-    if (!passing_.keeps_rules()) continue;
+    if (!passing_.settles_within_rules()) continue;
     const Shortfall here = shortfall_of_candidate(evaluation_, passing_);
     if (!is_first && !here.is_less_than(least)) continue;
     is_first = false;

@@ -116,8 +116,7 @@ bool JointSearch::places_pass(std::size_t first) {
 
 bool JointSearch::places_pass_now(std::size_t first) {
   last_.reset();
-  evaluation_.settle_sizes_again();
-  if (!passing_.keeps_rules()) return true;  // rules of the others, as far as known
+  if (!passing_.settles_within_rules()) return true;  // rules of the others, as far as known
   for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
     if (evaluation_.evaluate_at(i) && !elements_pass(first)) return false;
   }
@@ -244,10 +243,14 @@ bool JointSearch::find_cheapest(SizeIndices& least) {
     exchange(least);
     if (numerics::exceeds(lowest, sizes_.cost())) keep(way);
   }
+  bool are_barred = true;
   for (std::size_t way = 0; sizes_.arrange(way); ++way) {
     least.assign(sizes_.count(), 0);
-    if (find_cheaper(lowest, least)) keep(way);
+    const bool is_barred = std::isinf(lowest) && find_barred();
+    are_barred = are_barred && is_barred;
+    if (!is_barred && find_cheaper(lowest, least)) keep(way);
   }
+  if (!are_barred) barred_.clear();
   sizes_.arrange(best_way);
   if (best.empty()) return false;
   least = best;
@@ -260,9 +263,7 @@ bool JointSearch::set_largest(SizeIndices& least) {
   const std::vector<double> levels = sizes_.levels();
   for (std::size_t level = levels.size(); level-- > 0;) {
     least = sizes_.first_from(levels[level]);
-    if (!sizes_.set(least)) continue;
-    settle();
-    if (passing_.keeps_rules()) return true;
+    if (sizes_.set(least) && keeps_rules()) return true;
   }
   return false;
 }
@@ -284,6 +285,7 @@ void JointSearch::run(std::vector<Issue>& issues) {
   const bool smallest = passes_with(least);
   if (smallest && !has_check()) return issues.push_back(aimless_search(evaluation_.step(), first));
   bool found = find_cheapest(least);
+  if (!found && !barred_.empty()) return leave_barred(issues);
   if (!found && excuse_unmoved()) {
     found = find_cheapest(least);
     if (found && fails_unmoved(least)) return leave_unfit(least);
@@ -299,11 +301,7 @@ void JointSearch::run(std::vector<Issue>& issues) {
 /// rules, all alike, and do not improve with the largest. Returns whether there are any.
 bool JointSearch::excuse_unmoved() {
   sizes_.cap();
-  const auto keeps_rules_at = [&](double level) {
-    if (!sizes_.set(sizes_.first_from(level))) return false;
-    settle();
-    return passing_.keeps_rules();
-  };
+  const auto keeps_rules_at = [&](double level) { return sizes_.set(sizes_.first_from(level)) && keeps_rules(); };
   const std::vector<double> levels = sizes_.levels();
   std::size_t first = 0, last = levels.size();
   while (first < last && !keeps_rules_at(levels[first])) ++first;
@@ -314,8 +312,7 @@ bool JointSearch::excuse_unmoved() {
   if (last == first) return false;
   const FailedValues unmoved = unmoved_values(smallest, failed_values(evaluation_, passing_));
   for (const auto& [row, value] : unmoved) passing_.excuse(row);
-  failed_.clear();
-  places_.clear();
+  forget();
   return !unmoved.empty();
 }
 

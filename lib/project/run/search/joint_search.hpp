@@ -36,7 +36,8 @@ class JointSearch {
   /// evaluation for all, as long as there is no other in between; sizes that have failed are not evaluated again.
   bool passes();
   /// Evaluates sizes for something else than `passes`.
-  void settle() { last_.reset(), evaluation_.settle_sizes(); }
+  void settle() { last_.reset(), evaluation_.settle_sizes_again(); }
+  bool keeps_rules() { return last_.reset(), passing_.settles_within_rules(); }
   bool passes_with(const SizeIndices& least) { return sizes_.set(least) && passes(); }
   bool find_start(SizeIndices& least);
   bool find_alike(SizeIndices& least);
@@ -60,8 +61,12 @@ class JointSearch {
   [[nodiscard]] bool places_pass_now(std::size_t first);
   [[nodiscard]] bool elements_pass(std::size_t first) const;
   bool set_largest(SizeIndices& least);
+  void forget() { failed_.clear(), places_.clear(), barred_.clear(); }
   [[nodiscard]] Issue no_sizes();
   [[nodiscard]] std::optional<account::TriedSize> next_of(const SizeIndices& laid, std::size_t which);
+  [[nodiscard]] std::set<Row> failed_at_given_places();
+  [[nodiscard]] bool find_barred();
+  void leave_barred(std::vector<Issue>& issues);
   bool excuse_unmoved();
   bool fails_unmoved(const SizeIndices& least);
   void leave_open(SizeIndices nearest);
@@ -83,6 +88,7 @@ class JointSearch {
   // As long as the same checks are excused. Whether they pass depends only on the sizes, in all arrangements.
   std::set<SizeIndices> failed_;
   std::map<SizeIndices, bool> places_;  // of sizes, followed by the first of those whose places are checked
+  std::set<Row> barred_;                // of elements with given sizes: they fail with all sizes of their neighbours
 };
 
 }  // namespace loadpath::project

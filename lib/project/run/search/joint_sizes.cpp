@@ -154,12 +154,26 @@ bool JointSizes::is_place_of(std::size_t first, const FieldInfo& list, const voi
                      [&](const OpenSize& s) { return s.like == first && s.owner == owner; });
 }
 
+bool JointSizes::is_given_place(const FieldInfo& list, const void* element) const {
+  const void* const owner = sizing_.place(inputs_.record().data.get(), list.key, element);
+  return owner != nullptr &&
+         std::none_of(sought_.begin(), sought_.end(), [&](const OpenSize& s) { return s.owner == owner; });
+}
+
+SizeIndices JointSizes::alike(double size) const {
+  SizeIndices all;
+  for (const std::vector<double>& stock : sizes_) {
+    const auto at = static_cast<std::size_t>(std::lower_bound(stock.begin(), stock.end(), size) - stock.begin());
+    all.push_back(std::min(at, stock.size() - 1));
+  }
+  return all;
+}
+
 std::string JointSizes::given_place_of(const FieldInfo& list, const void* element) const {
   const Record& record = inputs_.record();
   const void* const owner = sizing_.place(record.data.get(), list.key, element);
   const FieldInfo* const sized = find_field(record.type->fields, sizing_.list);
-  const auto is_owner = [&](const OpenSize& s) { return s.owner == owner; };
-  if (owner == nullptr || sized == nullptr || std::any_of(sought_.begin(), sought_.end(), is_owner)) return {};
+  if (sized == nullptr || !is_given_place(list, element)) return {};
   for (std::size_t k = 0; k < sized->size(record.data.get()); ++k) {
     if (sized->element(record.data.get(), k) == owner)
       return std::string(sized->key) + "[" + std::to_string(k + 1) + "]";

@@ -59,6 +59,10 @@ class JointSizes {
   [[nodiscard]] double cost() const;
   /// Whether an element of a result's list is about one of the sizes that are like `first`.
   [[nodiscard]] bool is_place_of(std::size_t first, const FieldInfo& list, const void* element) const;
+  /// Whether an element of a result's list is about an element whose size is given.
+  [[nodiscard]] bool is_given_place(const FieldInfo& list, const void* element) const;
+  /// All as large as `size`, or as the largest of their stocks.
+  [[nodiscard]] SizeIndices alike(double size) const;
   /// The element with a given size that an element of a result's list is about, "pieces[1]"; empty if its size is
   /// searched for.
   [[nodiscard]] std::string given_place_of(const FieldInfo& list, const void* element) const;

@@ -27,11 +27,46 @@ std::optional<std::size_t> Passing::first_broken_rule() {
   return std::nullopt;
 }
 
+bool Passing::takes_sized_value(std::size_t rule) const {
+  const auto fields = listed_keys(evaluation_.calculator().rules[rule].fields);
+  const auto& provided = evaluation_.inputs().provided();
+  return std::any_of(provided.begin(), provided.end(), [&](const Provided& value) {
+    const bool depends_on_size = *value.field->provider.size != '\0';
+    return depends_on_size && std::find(fields.begin(), fields.end(), value.path) != fields.end();
+  });
+}
+
+bool Passing::breaks_rule_without_table() {
+  const std::vector<bool>& concerned = this->concerned();
+  for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
+    if (!evaluation_.inputs().set_position(i)) continue;
+    for (std::size_t rule = 0; rule < concerned.size(); ++rule) {
+      if (concerned[rule] && !evaluation_.holds(rule) && !takes_sized_value(rule)) return true;
+    }
+  }
+  return false;
+}
+
+bool Passing::has_rule_with_table() {
+  const std::vector<bool>& concerned = this->concerned();
+  for (std::size_t rule = 0; rule < concerned.size(); ++rule) {
+    if (concerned[rule] && takes_sized_value(rule)) return true;
+  }
+  return false;
+}
+
+bool Passing::settles_within_rules() {
+  if (breaks_rule_without_table()) return false;
+  evaluation_.settle_sizes_again();
+  return keeps_rules();
+}
+
 std::set<std::size_t> Passing::broken_rules() {
   const std::vector<bool>& concerned = this->concerned();
   std::set<std::size_t> broken;
+  if (has_rule_with_table()) evaluation_.settle_sizes_again();
   for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
-    if (!evaluation_.set_position(i)) continue;
+    if (!evaluation_.inputs().set_position(i)) continue;
     for (std::size_t rule = 0; rule < concerned.size(); ++rule) {
       if (concerned[rule] && !evaluation_.holds(rule)) broken.insert(rule);
     }
@@ -99,11 +134,8 @@ bool Passing::holds_here() const {
 
 bool Passing::passes_again() {
   if (evaluation_.positions() > 1) return passes();
-  evaluation_.settle_sizes_again();
-  if (!keeps_rules() || !evaluation_.set_position(0)) return false;
-  // If the size is a result it was settled with these values of tables, and all results are available.
+  if (!settles_within_rules() || !evaluation_.evaluate_at(0)) return false;
   const auto& fields = evaluation_.calculator().result->fields;
-  if (find_field(fields, evaluation_.inputs().size_field()) == nullptr) evaluation_.evaluate_record();
   void* const result = evaluation_.result().data.get();
   return std::all_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
     if (excused_.contains({&f})) return true;

@@ -37,8 +37,11 @@ class Passing {
   bool keeps_rules() { return evaluation_.is_settled() && !first_broken_rule(); }
   /// The first of them that is broken at a position.
   std::optional<std::size_t> first_broken_rule();
-  /// All of them.
+  /// All of them at the current sizes, with values of tables settled if one of them takes such a value.
   std::set<std::size_t> broken_rules();
+  /// Whether they hold at the current sizes, and values of tables settle. Those without such a value come first: the
+  /// values for a part with many sections settle by its evaluation.
+  bool settles_within_rules();
   /// Whether a check is active: otherwise any candidate would pass.
   [[nodiscard]] bool is_any_asked() const;
 
@@ -55,6 +58,10 @@ class Passing {
  private:
   /// For every rule whether a search must satisfy it.
   const std::vector<bool>& concerned();
+  /// Whether a rule takes a value of a row that depends on the size.
+  [[nodiscard]] bool takes_sized_value(std::size_t rule) const;
+  [[nodiscard]] bool breaks_rule_without_table();
+  [[nodiscard]] bool has_rule_with_table();
 
   [[nodiscard]] bool holds_here() const;
   [[nodiscard]] bool is_held_against(const FieldInfo& field, bool criteria) const;

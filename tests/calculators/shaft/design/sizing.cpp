@@ -204,6 +204,10 @@ TEST_SUITE("shaft sizing" * test::by_case) {
     CHECK_MESSAGE(contains(why, "no sizes pass together: sections["), why);
     CHECK_MESSAGE(contains(why, "because pieces[1].d is given as 20 mm; pieces[2].d = "), why);
     CHECK(account::conclude(solved.all).headline == account::Headline::no_solution);
+    // R_e of 42CrMo4 is at most 900 MPa, below 795 MPa times S_F, and has no value beyond 250 mm
+    const std::string row = "group = \"alloy-steel\"\nmaterial = \"42CrMo4\"\n" + text.substr(text.find("S_F = 2"));
+    const std::string of_row = Solved("[axle]\ncalculator = \"shaft.design\"\n" + row).origin("axle", "pieces[2].d");
+    CHECK_MESSAGE(contains(of_row, "because pieces[1].d is given as 20 mm; pieces[2].d = "), of_row);
     // 600 N*m and 200 N*m: sigma_v = 795 MPa at 20 mm, 70 MPa at 45 mm
     Solved thicker(test::with(text, "pieces",
                               "[{ l = \"120 mm\", d = \"45 mm\" }, { l = \"30 mm\", d = \"?\" }, { l = "

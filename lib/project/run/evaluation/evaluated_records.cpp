@@ -1,4 +1,4 @@
-#include "lib/project/run/evaluation/settled.hpp"
+#include "lib/project/run/evaluation/evaluated_records.hpp"
 
 #include <bit>
 #include <functional>
@@ -47,19 +47,18 @@ RecordState state_of(const Record& record, const std::vector<Provided>& provided
   return state;
 }
 
-std::size_t SettledRecords::Hash::operator()(const RecordState& state) const {
+std::size_t EvaluatedRecords::Hash::operator()(const RecordState& state) const {
   std::uint64_t sum = mixed(basis, std::hash<std::string>()(state.words));
   for (const std::uint64_t number : state.numbers) sum = mixed(sum, number);
   return sum;
 }
 
-void SettledRecords::add(RecordState began, RecordState settled, const Settled& found) {
+void EvaluatedRecords::add(RecordState state, Record result) {
   if (known_.size() >= most) known_.clear();
-  known_.insert_or_assign(std::move(began), found);
-  known_.insert_or_assign(std::move(settled), found);
+  known_.insert_or_assign(std::move(state), std::move(result));
 }
 
-const Settled* SettledRecords::find(const RecordState& state) const {
+const Record* EvaluatedRecords::find(const RecordState& state) const {
   const auto found = known_.find(state);
   return found == known_.end() ? nullptr : &found->second;
 }

@@ -224,8 +224,10 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
   }
   if (name.empty()) {
     Tree copy = tree;
+    const bool is_step = tree.find("calculator") != nullptr;  // whose choice "mean" is no uncertain value
     const bool is_series = tree.find("values") != nullptr || tree.find("file") != nullptr;
-    if (tree.type == Tree::Type::table && (is_series || is_grid(tree) || is_uncertain(tree))) write_out_numbers(copy);
+    const bool is_of_numbers = is_series || is_grid(tree) || is_uncertain(tree);
+    if (tree.type == Tree::Type::table && !is_step && is_of_numbers) write_out_numbers(copy);
     for (Tree& item : copy.items) item = in_place(item, issues);
     for (Tree::Entry& entry : copy.entries) entry.value = in_place(entry.value, issues);
     return copy;

@@ -1,5 +1,6 @@
 #include "lib/project/references/drives/drives.hpp"
 
+#include "lib/project/references/drives/formulas.hpp"
 #include "lib/project/references/drives/one_drive.hpp"
 #include "lib/project/references/drives/own_names.hpp"
 #include "lib/project/references/drives/stages.hpp"
@@ -13,7 +14,7 @@ std::vector<ReducedLoad> values_of_drives(const Step& step, const Project& proje
   for (const auto& found :
        {ratios_of_stages(step, project), loads_stated_otherwise(step, project), factors_cancelled(step, project),
         loads_of_unloaded_gears(step, project), powers_of_torques(step, project), values_in_part(step, project),
-        torques_at_other_speeds(step, project), hands_in_disagreement(step, project),
+        parts_of_formulas(step, project), torques_at_other_speeds(step, project), hands_in_disagreement(step, project),
         speeds_of_taken_powers(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;

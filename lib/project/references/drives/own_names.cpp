@@ -2,6 +2,8 @@
 
 #include "lib/calculator/meaning.hpp"
 #include "lib/project/references/agreement/stated_names.hpp"
+#include "lib/project/references/drives/products.hpp"
+#include "lib/project/references/drives/shares.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -16,7 +18,6 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double few_digits = 0.02;  // values that are written with few digits
 constexpr std::string_view of_values = "values.";
 const Dimension pressure = Dimension::of(-1, 1, -2);
 
@@ -25,7 +26,7 @@ bool is_life(std::string_view key) { return key == "L_h" || key == "L_req" || ke
 
 /// Whether the value is meant for the input: it has its name, or both are lives.
 bool is_meant_for(const std::string& name, const std::string& key) {
-  if (name == key) return true;
+  if (name == key || name.starts_with(key + "_")) return true;
   return is_life(key) && (is_of_life(name) || has_word(name, {"n", "cycles", "repetitions"}));
 }
 
@@ -33,16 +34,12 @@ bool is_meant_for(const std::string& name, const std::string& key) {
 int safer_by(const Step& step, const std::string& key) {
   const FieldInfo* const field = find_field(step.input().calculator->input->fields, key);
   if (field == nullptr) return 0;
-  const bool is_required = key.starts_with("S_") || key == "S" || key == "n_st";
-  if (is_life(key) || ((field->is_factor || is_required) && field->dimension.is_number())) return 1;
+  const bool is_allowance = key == "c" && id_of(step).starts_with("vessel.");
+  const bool is_required = key.starts_with("S_") || key == "S" || key == "n_st" || is_allowance;
+  if (is_life(key) || ((field->is_factor || is_required) && (is_allowance || field->dimension.is_number()))) return 1;
   if (field->is_load && field->dimension == pressure) return 1;  // forces may be shared by several parts
   const bool is_strong = key == "R_e" || key == "R_m" || means(*step.input().calculator, key, &is_strength);
   return is_strong ? -1 : 0;
-}
-
-/// The part of a cycle that is less than its peak by definition.
-bool is_part_of_cycle(std::string_view what) {
-  return what == "amplitude" || what == "mean" || what == "min" || what == paired_amplitude || what == paired_middle;
 }
 
 /// "values.F" of "-0.5*values.F/2" as written; empty if it is not a multiple of one value.
@@ -76,101 +73,11 @@ std::string only_value(const Operand& operand) {
   return written.empty() ? only_reference(operand) : written;
 }
 
-/// A value of [values], typed or computed from others; null if it is unknown before the steps are solved.
-const Value* stated_value(const Project& project, const std::string& path) {
-  const Value* const typed = project.value(path);
-  return typed != nullptr ? typed : project.values.fixed(path.substr(of_values.size()));
-}
-
 /// The magnitude of a value of [values] with one number of this dimension; NaN if it has another.
 double stated_number(const Project& project, const std::string& path, const Dimension& dimension) {
-  const Value* const value = stated_value(project, path);
+  const Value* const value = value_of_file(project, path);
   const bool is_such = value != nullptr && !value->is_series() && value->signature.dimension == dimension;
   return is_such ? std::abs(value->si.front()) : std::nan("");
-}
-
-/// A count of the step that the whole is divided by, or multiplied with: four screws.
-bool is_explained(const Step& step, const Project& project, const Operand& operand, double share) {
-  if (operand.path.starts_with("seats")) return false;  // counts of the shaft are none of a mounted component
-  const auto& fields = step.input().calculator->input->fields;
-  return std::ranges::any_of(fields, [&](const FieldInfo& field) {
-    const std::string_view key = field.key;
-    const bool is_ratio = field.is_number() && field.dimension.is_number() && (key == "i" || key == "u");
-    if (field.type != FieldInfo::Type::count && !is_ratio) return false;  // a safety factor explains no share
-    if (key.starts_with("z_")) return false;                              // teeth share no load
-    const bool is_given =
-        step.input().reading.typed.contains(field.key) || step.input().reading.operand(field.key) != nullptr;
-    if (!is_given) return false;  // the usual number of pulleys
-    const double number = std::abs(own_value(step, project, field.key));
-    return is_near(number * share, 1.0, few_digits) || is_near(number, share, few_digits);
-  });
-}
-
-/// A load, or the mass or inertia of a part that is moved, which loads its drive.
-bool loads_a_part(const FieldInfo& field, std::string_view path) {
-  const bool is_moved = path.starts_with("links.") || path.starts_with("parts");
-  const bool is_mass =
-      (field.dimension == Dimension::of(0, 1, 0) || field.dimension == Dimension::of(2, 1, 0)) && is_moved;
-  return (field.is_load && !field.dimension.is_number()) || is_mass;
-}
-
-/// "chain.K_A": the factor of another step that a load of [values] is multiplied with.
-bool is_application_factor(const std::string& path) { return !path.starts_with(of_values) && path.ends_with(".K_A"); }
-
-/// The values of [values] that a product consists of, each once: "values.P values.n", with the application factor of
-/// another step; empty if it refers to anything else, or to a length: "values.F*values.l/4" is the moment of a beam.
-std::string values_of_product(const Operand& operand, const Project& project) {
-  std::set<std::string> paths;
-  for (const auto& reference : operand.expression.references()) {
-    if (is_application_factor(reference.path)) {
-      paths.insert(reference.path);
-      continue;
-    }
-    const Value* const value = reference.path.starts_with(of_values) ? project.value(reference.path) : nullptr;
-    if (value == nullptr || value->is_series() || value->signature.dimension == Dimension::of(1, 0, 0)) return {};
-    paths.insert(reference.path);
-  }
-  std::string all;
-  for (const std::string& path : paths) all += (all.empty() ? "" : " ") + path;
-  return all;
-}
-
-constexpr double least_share = 0.85;  // losses of a drive need no reason
-
-/// What the inputs of the project take of a value, or of a product of values, in parts, as loads of this dimension. A
-/// shaft that carries the whole in front of its hubs takes none of their parts.
-template <class ValuesOf>
-double taken_in_parts(const Project& project, const std::string& path, double whole, const Dimension& dimension,
-                      const ValuesOf& values_of) {
-  double total = 0.0;
-  for (const auto& step : project.steps) {
-    for (const Operand& operand : step->input().reading.operands) {
-      const FieldInfo& field = *operand.leaf.field;
-      if (!loads_a_part(field, operand.path) || field.dimension != dimension || values_of(operand) != path) continue;
-      const double own = std::abs(own_value(*step, project, operand.path));
-      if (own < least_share * whole) total += own;
-    }
-  }
-  return total;
-}
-
-/// A force or mass that two equal parts share: symmetrical supports, two rods. A torque has no such supports; the load
-/// of a column or of a mechanism is that of the whole.
-bool is_half_of_two(const Step& step, const Operand& operand, double share) {
-  constexpr double half = 0.5;
-  const bool is_whole = id_of(step).starts_with("column.") || operand.path.starts_with("loads");
-  if (is_whole) return false;
-  const Dimension& dimension = operand.leaf.field->dimension;
-  const bool is_on_shaft = operand.path.starts_with("seats");  // the other half would be on it, too
-  const bool is_shared = !is_on_shaft && (dimension == Dimension::of(1, 1, -2) || dimension == Dimension::of(0, 1, 0));
-  if (!is_shared || share < (1.0 - few_digits) * half) return false;
-  std::string text = operand.text;
-  std::erase(text, ' ');
-  for (std::size_t at = text.find("/2"); at != std::string::npos; at = text.find("/2", at + 1)) {
-    const char next = at + 2 < text.size() ? text[at + 2] : ' ';
-    if (next != '.' && std::isdigit(static_cast<unsigned char>(next)) == 0) return true;
-  }
-  return text.find("0.5*") != std::string::npos || text.ends_with("*0.5");
 }
 
 /// Whether the input is a value of [values] as it is, which states a share by its name.
@@ -183,26 +90,6 @@ bool is_named(const Step& step, const Operand& operand) {
 /// Whether the input has the product itself.
 bool is_written_as_product(const Step& step, const Operand& operand) {
   return !is_named(step, operand) && operand.text.find_first_of("*/") != std::string::npos;
-}
-
-/// A load that is a part of a product of [values] by a bare number: "T = =values.P/values.n/1.5".
-void compare_product(const Step& step, const Project& project, const Operand& operand,
-                     std::vector<ReducedLoad>& found) {
-  const FieldInfo& field = *operand.leaf.field;
-  const double share = std::abs(operand.expression.plain_number());
-  if (!(share > 0.0 && share < least_share) || !loads_a_part(field, operand.path)) return;
-  const std::string values = values_of_product(operand, project);
-  const bool is_part = means(*step.input().calculator, operand.path, &is_part_of_cycle);
-  if (values.find(' ') == std::string::npos || !is_written_as_product(step, operand) || is_part) return;
-  if (is_half_of_two(step, operand, share) || is_explained(step, project, operand, share)) return;
-  const double whole = std::abs(own_value(step, project, operand.path)) / share;
-  const auto values_of = [&](const Operand& other) { return values_of_product(other, project); };
-  if (!(whole > 0.0) || taken_in_parts(project, values, whole, field.dimension, values_of) >= least_share * whole)
-    return;
-  found.push_back(
-      {operand.path, say("{1} is {2} times the product of its values, and no input takes the rest: refer to a value "
-                         "that states the share or the number of parts, or justify it: {3} = \"...\"",
-                         operand.path, format_number(share, 4), because_key(operand.path))});
 }
 
 const Dimension turning = Dimension::of(0, 0, -1, 0, 1);
@@ -234,17 +121,26 @@ bool is_quarter(std::string_view key, std::string_view name, double share) {
   return ((names_size(key, "R") && names_size(name, "dD")) || is_crank) && is_near(0.25, share, few_digits);
 }
 
+/// "D" and "D_rotor", "D_a" and "D_outer": half of one is a radius. "d_1 = =values.d_2/2" is a ratio.
+bool is_same_symbol(std::string_view key, std::string_view name) {
+  const bool is_outer = key.size() == 1 || key == "D_a" || key == "d_a";
+  return is_outer && name.size() > 2 && name[0] == key[0] && name[1] == '_';
+}
+
 /// A diameter or a radius that is a part of the value under its own name: "D = =values.D/2" is a radius.
 void compare_size(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
   constexpr double least = 0.95, most = 1.05;  // of a groove, with an allowance
   const std::string& key = operand.path;
   const Dimension& dimension = operand.leaf.field->dimension;
   const std::string path = only_value(operand);
-  if (path.empty() || !names_size(key, "dDrR") || dimension != Dimension::of(1, 0, 0) || is_named(step, operand))
+  if (path.empty() || !names_size(key, "dDrRa") || dimension != Dimension::of(1, 0, 0) || is_named(step, operand))
     return;
   const std::string name = path.substr(of_values.size());
   const double share = std::abs(own_value(step, project, key)) / stated_number(project, path, dimension);
-  const bool is_part = name == key && (share < least || share > most);
+  const auto& fields = step.input().calculator->input->fields;
+  const bool is_half =
+      is_same_symbol(key, name) && is_near(0.5, share, few_digits) && find_field(fields, name) == nullptr;
+  const bool is_part = is_half || (name == key && (share < least || share > most));
   if (!is_part && !is_quarter(key, name, share)) return;
   found.push_back(
       {key, say("{1} is {2} times 'values.{3}', which is a size of another meaning by its name: correct one "
@@ -263,6 +159,25 @@ double most_share(const Step& step, const Project& project, const std::string& p
   return std::isnan(most) ? 1.0 : std::fmin(1.0, most);
 }
 
+/// Amplitude and mean that are parts of one value and do not make up it: "=values.T/4" of both.
+void compare_cycle(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
+  const std::string path = is_part_of_cycle(step, operand) ? only_value(operand) : std::string();
+  if (path.empty()) return;
+  const double stated = stated_number(project, path, operand.leaf.field->dimension);
+  double total = 0.0;
+  std::vector<const Operand*> parts;
+  for (const Operand& other : step.input().reading.operands) {
+    if (!is_part_of_cycle(step, other) || only_value(other) != path) continue;
+    total += std::abs(own_value(step, project, other.path));
+    parts.push_back(&other);
+  }
+  if (parts.size() < 2 || parts.front() != &operand || !(total < least_share * stated)) return;
+  found.push_back(
+      {operand.path, say("amplitude and mean make up {1} times '{2}': take all of it, refer to a value that "
+                         "states the share, or justify it: {3} = \"...\"",
+                         format_number(total / stated, 4), path, because_key(operand.path))});
+}
+
 /// A load that is a part of a load of [values] by a bare number: "F = =values.F/4". The parts may make up the whole,
 /// as two bearings with a half each; an angle states the direction of a component.
 void compare_load(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
@@ -273,12 +188,12 @@ void compare_load(const Step& step, const Project& project, const Operand& opera
   if (path.empty() || !loads_a_part(field, operand.path) || is_whole) return;
   if (is_named(step, operand) && path != only_reference(operand)) return;
   if (operand.text.find("sin") != std::string::npos || operand.text.find("cos") != std::string::npos ||
-      operand.text.find("tan") != std::string::npos || means(*step.input().calculator, operand.path, &is_part_of_cycle))
+      operand.text.find("tan") != std::string::npos || is_part_of_cycle(step, operand))
     return;
   const double stated = stated_number(project, path, field.dimension);
   const double share = most * std::abs(own_value(step, project, operand.path)) / stated;
   if (!(share > 0.0 && share < least_share) || is_half_of_two(step, operand, share) ||
-      is_explained(step, project, operand, share))
+      is_count_of_parts(step, project, operand, share))
     return;
   if (taken_in_parts(project, path, stated, field.dimension, &only_value) >= least_share * stated) return;
   found.push_back({operand.path, say("{1} is {2} times '{3}', and no input takes the rest: refer to a value that "
@@ -301,15 +216,21 @@ double taken_in_lengths(const Project& project, const std::string& path) {
 /// in the middle, which the file does not state.
 void compare_length(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
   const auto& fields = step.input().calculator->input->fields;
-  const bool is_of_bar = operand.path == "l" && find_field(fields, "n_st") != nullptr;
+  const bool is_of_shell = operand.path == "L" && find_field(fields, "p_e") != nullptr;
+  const bool is_overhang = operand.path == "a" && id_of(step) == "shaft.overhung";
+  const bool is_link = operand.path == "l" && id_of(step) == "mechanism.planar";
+  const bool is_of_bar =
+      is_of_shell || is_overhang || is_link || (operand.path == "l" && find_field(fields, "n_st") != nullptr);
   const std::string path = is_of_bar ? only_value(operand) : std::string();
   if (path.empty() || operand.expression.is_reference() || is_named(step, operand)) return;
   const double stated = stated_number(project, path, operand.leaf.field->dimension);
-  const double share = std::abs(own_value(step, project, "l")) / stated;
+  const std::string& key = operand.path;
+  const double share = std::abs(own_value(step, project, key)) / stated;
   if (!(share < least_share) || taken_in_lengths(project, path) >= least_share * stated) return;
-  found.push_back({"l", say("l is {1} times '{2}', and no bracing is stated: refer to a value that states the number "
-                            "of parts, or justify it: because.l = \"...\"",
-                            format_number(share, 4), path)});
+  found.push_back(
+      {key, say("{3} is {1} times '{2}', and nothing states the reason for a part: refer to a value that states "
+                "the number of parts, or justify it: because.{3} = \"...\"",
+                format_number(share, 4), path, key)});
 }
 
 /// A speed above the value of its own name, which no other step has: "n_1 = =values.n_1*values.i". At a given power the
@@ -348,7 +269,7 @@ std::vector<ReducedLoad> values_in_part(const Step& step, const Project& project
     if (safer != 0 && !is_meant) compare_load(step, project, operand, found);  // a pressure under another name
     if (safer == 0) {
       compare_load(step, project, operand, found);
-      compare_product(step, project, operand, found);
+      compare_cycle(step, project, operand, found);
       compare_speed(step, project, operand, found);
       compare_size(step, project, operand, found);
       compare_length(step, project, operand, found);

@@ -174,6 +174,16 @@ double speed_for(const Step& step, const Project& project) {
   return 0.0;
 }
 
+/// "values.n_mix" of "P_mix".
+std::string speed_of_word(const std::string& power) {
+  return "values.n" + power.substr(std::min<std::size_t>(1, power.size()));
+}
+
+/// Whether a power has a word and [values] the speed with this word.
+bool has_speed(const std::string& name, const Project& project) {
+  return name.starts_with("P_") && !is_of_other_state(name) && magnitude_at(project, speed_of_word(name)) > 0.0;
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> loads_of_unloaded_gears(const Step& step, const Project& project) {
@@ -196,17 +206,17 @@ std::vector<ReducedLoad> loads_of_unloaded_gears(const Step& step, const Project
 }
 
 std::vector<ReducedLoad> powers_of_torques(const Step& step, const Project& project) {
-  const auto powers = stated_loads(project, [](const std::string& name, const Dimension& dimension) {
-    return dimension == of_power && is_load(name, of_power);
+  const auto powers = stated_loads(project, [&](const std::string& name, const Dimension& dimension) {
+    return dimension == of_power && (is_load(name, of_power) || has_speed(name, project));
   });
   if (powers.empty()) return {};
   const double T = single_torque(step, project);
   const auto is_loaded = [&](const auto& other) { return is_loaded_drive(*other, project); };
   if (T == 0.0 || !is_torque_of_file(step) || std::ranges::any_of(project.steps, is_loaded)) return {};
-  const double n = speed_for(step, project);
   std::vector<ReducedLoad> found;
   found.reserve(powers.size());
   for (const auto& [name, value] : powers) {
+    const double n = has_speed(name, project) ? magnitude_at(project, speed_of_word(name)) : speed_for(step, project);
     if (std::isnan(n)) continue;
     const double P = std::abs(value.si.front()), stated = P / n;
     const auto carries = [&](const auto& other) { return single_torque(*other, project) >= (1.0 - rounded) * stated; };

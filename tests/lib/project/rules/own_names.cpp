@@ -60,27 +60,12 @@ TEST_SUITE("project: values in part") {
       CHECK_MESSAGE(found(force + lug(F)).empty(), F);
   }
 
-  TEST_CASE("a product of values by a bare number") {
-    CHECK(found(power + shaft("=values.P/values.n/1.5")) == "T");
-    CHECK(found(power + shaft("=values.P/values.n")).empty());
-    CHECK(found(power + shaft("=0.9*values.P/values.n")).empty());
-    CHECK(found(power + shaft("=0.2*values.F*values.l")).empty());  // the moment of a beam
-    const std::string lift = "[values]\nP = \"20 kW\"\nv = \"2 m/s\"\n\n";
-    CHECK(found(lift + lug("=values.P/values.v/2")).empty());  // of two lugs
-    CHECK(found(lift + lug("=values.P/values.v/4")) == "F");
-    const std::string named = "[values]\nP = \"20 kW\"\nn = \"1000 rpm\"\nT = \"=0.5*values.P/values.n\"\n\n";
-    CHECK(found(named + shaft("=values.T")).empty());
-    const std::string rest = "\n" + shaft("=values.P/values.n/2").replace(1, 1, "r");
-    CHECK(found(power + shaft("=values.P/values.n/2") + rest).empty());
-    CHECK(found(power + shaft("=values.P/values.n/2")) == "T");
-  }
-
   TEST_CASE("a part by a number that looks like a half, or of another quantity") {
     CHECK(found(force + lug("=values.F*1.2/2")).empty());  // half of the force, with a factor
     CHECK(found(force + lug("=values.F*1.5/2.5")) == "F");
     CHECK(found(force + lug("=values.F*12/20")) == "F");
     const std::string weight = "[values]\nm = \"1000 kg\"\n\n";
-    CHECK(found(weight + lug("=0.05*values.m*(9.81 m/s^2)")).empty());
+    CHECK(found(weight + lug("=0.05*values.m*(9.81 m/s^2)")).empty());  // see formulas.cpp
     const std::string moved = "[values]\nT = \"=press.drive.M\"\n\n";
     CHECK(found(moved + shaft("=0.5*values.T") + press_of_heavy_rod).empty());  // see reductions.cpp
   }
@@ -95,12 +80,24 @@ TEST_SUITE("project: values in part") {
     CHECK(found(stated + chain("=values.P/19", "1")) == "P");  // z_1 = 19
   }
 
-  TEST_CASE("the mean of a cycle is a part of it by definition") {
-    const std::string power = "[values]\nP = \"20 kW\"\nT = \"100 N*m\"\nn = \"1400 rpm\"\n\n";
-    CHECK(found(power + example_of("belt.v", "P = \"=0.5*values.P\"")).empty());
-    CHECK(found(power + example_of("chain.roller", "P = \"=0.5*values.P\"")) == "P");
-    CHECK(found(power + example_of("belt.v", "P = \"=0.5*values.T*values.n\"")).empty());
-    CHECK(found(power + example_of("chain.roller", "P = \"=0.5*values.T*values.n\"")) == "P");
+  TEST_CASE("the mean power of a drive is its load") {
+    const std::string power = "[values]\nP = \"20 kW\"\n\n";
+    for (const char* const drive : {"belt.v", "chain.roller"}) {
+      CHECK(found(power + example_of(drive, "P = \"=0.5*values.P\"")) == "P");
+      CHECK(found(power + example_of(drive, "P = \"=0.9*values.P\"")).empty());
+    }
+  }
+
+  TEST_CASE("amplitude and mean of one value make it up") {
+    const std::string stated = "[values]\nT = \"260 N*m\"\nT_a = \"40 N*m\"\n\n";
+    const auto shoulder = [&](const std::string& mean, const std::string& amplitude) {
+      return found(stated + example_of("fatigue.din743", "M_tm = \"" + mean + "\"\nM_ta = \"" + amplitude + "\""));
+    };
+    CHECK(shoulder("=values.T/4", "=values.T/4") == "M_tm");
+    CHECK(shoulder("=values.T/2", "=values.T/4") == "M_tm");
+    CHECK(shoulder("=values.T/2", "=values.T/2").empty());
+    CHECK(shoulder("=values.T/4", "=values.T_a").empty());  // of two values
+    CHECK(shoulder("=values.T", "=0.1*values.T").empty());
   }
 
   TEST_CASE("strengths, factors and pressures under their own names") {
@@ -209,6 +206,20 @@ TEST_SUITE("project: values in part") {
         found("[values]\nn = \"1000 rpm\"\nslow = \"=values.n/60\"\n\n[b]\ncalculator = \"bearing.rolling\"\nbearing = "
               "\"6309\"\nF_r = \"6 kN\"\nn = \"=values.slow\"\nL_h = \"3000 h\"\n")
             .empty());
+  }
+
+  TEST_CASE("half of a size with more words in its name, of an overhang, of a length between rings") {
+    const std::string sizes =
+        "[values]\nD_rotor = \"600 mm\"\nL_rings = \"2400 mm\"\na_over = \"50 mm\"\nd_2 = \"400 mm\"\n\n";
+    CHECK(found(sizes + example_of("machine.disc", "D = \"=values.D_rotor/2\"")) == "D");
+    CHECK(found(sizes + example_of("machine.disc", "D = \"=values.D_rotor\"")).empty());
+    CHECK(found(sizes + example_of("machine.disc", "D = \"=0.8*values.D_rotor\"")).empty());
+    CHECK(found(sizes + example_of("vessel.external", "L = \"=values.L_rings/2\"")) == "L");
+    CHECK(found(sizes + example_of("vessel.external", "D_a = \"=values.D_rotor/2\"")) == "D_a");
+    CHECK(found(sizes + example_of("shaft.overhung", "a = \"=values.a_over/2\"")).find("a") == 0);
+    CHECK(found(sizes + example_of("belt.flat", "d_1 = \"=values.d_2/2\"")).empty());  // a ratio
+    const std::string wall = "[values]\nc_corr = \"2 mm\"\n\n";
+    CHECK(found(wall + example_of("vessel.cylinder", "c = \"=values.c_corr/2\"")) == "c");
   }
 }
 

@@ -4,6 +4,7 @@
 #include "lib/project/because.hpp"
 #include "lib/project/references/notches.hpp"
 #include "lib/project/references/origins.hpp"
+#include "lib/project/references/reasons.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/turning.hpp"
 
@@ -368,15 +369,6 @@ class ReductionCheck {
 
 bool is_reduction_justified(const Step& step, const std::string& path) {
   return reason_for(step.input(), path) != nullptr;
-}
-
-void hold_unless_justified(Step& step, const std::vector<ReducedLoad>& values) {
-  for (const ReducedLoad& value : values) {
-    if (is_reduction_justified(step, value.path))
-      step.loads().justified.insert(value.path);
-    else
-      step.loads().reduced.push_back(value);
-  }
 }
 
 void check_reductions(Step& step, const Project& project) { ReductionCheck(step, project).run(); }

@@ -15,7 +15,4 @@ void check_reductions(Step& step, const Project& project);
 /// Whether the user answers for the reduction of a load: because.F = "...".
 bool is_reduction_justified(const Step& step, const std::string& path);
 
-/// Adds values that need a reason to the loads that are not assessed; a reason that is given is not idle.
-void hold_unless_justified(Step& step, const std::vector<ReducedLoad>& values);
-
 }  // namespace loadpath::project

@@ -15,7 +15,7 @@
 #include "lib/project/references/machine/seats.hpp"
 #include "lib/project/references/machine/unlinked.hpp"
 #include "lib/project/references/machine/vessels.hpp"
-#include "lib/project/references/reductions.hpp"
+#include "lib/project/references/reasons.hpp"
 #include "lib/project/references/space/clearances.hpp"
 #include "lib/project/references/space/lubrication.hpp"
 #include "lib/project/references/space/seat_notches.hpp"
@@ -39,7 +39,8 @@ std::vector<ReducedLoad> contradictions(const Step& step, const Project& project
         values_of_ratings(step, project), values_at_middle(step), values_of_same_part(step, project),
         powers_of_chained(step, project), values_of_seats(step, project), values_of_unlinked(step, project),
         values_of_vessels(step, project), values_in_disagreement(step, project), values_in_collision(step, project),
-        lubrication_of_others(step, project), notches_of_seats(step, project), stated_and_not_taken(step, project)})
+        lubrication_of_others(step, project), strengths_out_of_proportion(step, project),
+        notches_of_seats(step, project), stated_and_not_taken(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

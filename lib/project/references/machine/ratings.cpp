@@ -7,6 +7,7 @@
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -273,6 +274,35 @@ class RatingCheck {
 };
 
 }  // namespace
+
+namespace {
+
+/// The first over the second of two strengths. Shear strengths of metals are 0.5 to 0.8 of those in tension, of brittle
+/// ones up to 1; annealed and austenitic steels yield at a third of their tensile strength (recalled).
+struct Proportion {
+  const char *one, *other;
+  double least, most;
+};
+constexpr std::array proportions{
+    Proportion{"sigma_adm", "tau_adm", 0.9, 4.0}, Proportion{"sigma_D", "tau_D", 0.9, 4.0},
+    Proportion{"R_m", "R_e", 1.0, 5.0},           Proportion{"sigma_B", "sigma_S", 1.0, 5.0},
+    Proportion{"R_mN", "R_eN", 1.0, 5.0},
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> strengths_out_of_proportion(const Step& step, const Project& project) {
+  std::vector<ReducedLoad> found;
+  for (const Proportion& one : proportions) {
+    const double a = own_value(step, project, one.one), b = own_value(step, project, one.other);
+    if (!(a > one.most * b) && !(a < one.least * b && a > 0.0)) continue;
+    found.push_back(
+        {one.one, say("{1} = {2} and {3} = {4} are not of one material: check the unit and the power of ten, "
+                      "or justify it: because.{1} = \"...\"",
+                      one.one, format_quantity(a, "MPa", 4), one.other, format_quantity(b, "MPa", 4))});
+  }
+  return found;
+}
 
 std::vector<ReducedLoad> values_of_ratings(const Step& step, const Project& project) {
   const std::vector<ReducedLoad> mounting = mounting_on_shafts(step, project);

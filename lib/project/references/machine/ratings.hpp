@@ -12,4 +12,8 @@ namespace loadpath::project {
 /// load cycles than the planets cause; bevel gears mounted between bearings that are overhung on their shafts.
 std::vector<ReducedLoad> values_of_ratings(const Step& step, const Project& project);
 
+/// Two strengths of one material, or two allowable stresses of one part, out of proportion: "sigma_adm = 900 MPa" next
+/// to "tau_adm = 50 MPa". They need a reason.
+std::vector<ReducedLoad> strengths_out_of_proportion(const Step& step, const Project& project);
+
 }  // namespace loadpath::project

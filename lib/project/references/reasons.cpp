@@ -1,0 +1,54 @@
+#include "lib/project/references/reasons.hpp"
+
+#include "lib/project/because.hpp"
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace loadpath::project {
+
+namespace {
+
+/// "F_test" of a message "values.F_test = 50 kN acts on no step": the value that a reason names; empty if it has none.
+std::string subject_of(const ReducedLoad& value) {
+  constexpr std::string_view of_values = "values.";
+  const std::string text = value.message.text();
+  if (!text.starts_with(of_values)) return {};
+  const std::size_t end = text.find_first_of(" ,:'", of_values.size());
+  return text.substr(of_values.size(), end - of_values.size());
+}
+
+/// How many contradictions of an input its reason does not name. It answers one; of several it names the values of the
+/// others.
+std::size_t unnamed_for(const Step& step, const std::vector<ReducedLoad>& values, const std::string& path) {
+  const Typed* const reason = reason_for(step.input(), path);
+  std::set<std::string> unnamed;
+  for (const ReducedLoad& value : values) {
+    const std::string subject = subject_of(value);
+    const bool is_named = !subject.empty() && reason->text.find(subject) != std::string::npos;
+    if (value.path == path && !is_named) unnamed.insert(subject);
+  }
+  return unnamed.size();
+}
+
+}  // namespace
+
+void hold_unless_justified(Step& step, const std::vector<ReducedLoad>& values) {
+  for (const ReducedLoad& value : values) {
+    const Typed* const reason = reason_for(step.input(), value.path);
+    if (reason == nullptr) {
+      step.loads().reduced.push_back(value);
+      continue;
+    }
+    step.loads().justified.insert(value.path);
+    const std::string subject = subject_of(value);
+    const bool is_named = subject.empty() || reason->text.find(subject) != std::string::npos;
+    if (is_named || unnamed_for(step, values, value.path) <= 1) continue;
+    step.loads().reduced.push_back(
+        {value.path,
+         say("{1}; the reason given answers another contradiction: name '{2}' in it, too", value.message, subject)});
+  }
+}
+
+}  // namespace loadpath::project

@@ -122,7 +122,7 @@ double factors_included(std::string_view name, const Step& step, const Project& 
 
 bool is_of_vacuum(std::string_view name) {
   if (has_word(name, {"vacuum", "vac"})) return true;
-  return name.starts_with("p_") && has_word(name, {"ext", "external", "outside"});
+  return name.starts_with("p_") && has_word(name, {"ext", "external", "outside", "jacket"});
 }
 
 bool is_of_life(std::string_view name) {

@@ -151,12 +151,14 @@ class StatedCheck {
 
   /// "hours_per_day" and "years", of working days, next to a shorter required life.
   void compare_years() {
-    constexpr double days = 250.0;
+    constexpr double days = 250.0, hours_of_shift = 8.0 * 3600.0;
     double years = std::nan(""), hours = std::nan(""), of_year = std::nan("");
     for (const auto& [name, value] : project_.values.unused()) {
       if (name == "years" && value.signature.dimension.is_number()) years = value.si.front();
       if (has_word(name, {"year"}) && has_word(name, {"hours", "h"}))
         of_year = value.si.front() * (value.signature.dimension.is_number() ? 3600.0 : 1.0);
+      if (has_word(name, {"shifts"}) && value.signature.dimension.is_number())
+        hours = hours_of_shift * value.si.front();
       if (!has_word(name, {"day", "daily"})) continue;
       if (value.signature.dimension == duration) hours = value.si.front();
       if (value.signature.dimension.is_number() && has_word(name, {"hours", "h"})) hours = 3600.0 * value.si.front();

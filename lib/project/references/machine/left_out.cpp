@@ -143,8 +143,8 @@ LargestLoad largest_load(const Step& step, const Project& project, const std::st
 
 /// The application factor under the symbols of other standards: K_o of AGMA, c_B of belts.
 bool is_application_factor(std::string_view name) {
-  constexpr std::array<std::string_view, 8> names{
-      "K_o", "K_O", "k_A", "c_B", "f_B", "service_factor", "application_factor", "overload_factor"};
+  constexpr std::array<std::string_view, 9> names{
+      "K_o", "K_O", "k_A", "c_B", "f_B", "service_factor", "application_factor", "overload_factor", "duty_factor"};
   return std::ranges::find(names, name) != names.end();
 }
 
@@ -221,7 +221,8 @@ void compare_component(const Step& step, const Project& project, const std::stri
 
 /// "thrust", "F_ax_fan": forces along the axis by their words.
 bool is_axial(const std::string& name, const Dimension& dimension) {
-  return dimension == Dimension::of(1, 1, -2) && has_word(name, {"thrust", "axial", "ax"}) &&
+  return dimension == Dimension::of(1, 1, -2) &&
+         (has_word(name, {"thrust", "axial", "ax"}) || name.starts_with("F_a_")) &&
          !has_word(name, {"adm", "lim", "max", "capacity", "rated", "zul", "perm"});
 }
 
@@ -285,7 +286,9 @@ void compare_bending(const Step& step, const Project& project, const std::string
                                       "a step of column.beam_column, or because.{2} = \"...\"",
                                       name, load)});
   const bool is_along_axis = name == "F_x" || name == "F_y" || name == "F_z";
-  const bool is_of_tooth = (name == "F_r" || name == "F_t") && !is_on_shaft(step, project, name, si);
+  const bool is_pull = name.starts_with("F_") && has_word(name, {"belt", "belts", "chain", "rope", "pull", "pulley"}) &&
+                       !is_of_other_state(name);
+  const bool is_of_tooth = (name == "F_r" || name == "F_t" || is_pull) && !is_on_shaft(step, project, name, si);
   const bool is_force = dimension == Dimension::of(1, 1, -2) && (is_along_axis || is_of_tooth);
   const bool is_moment = dimension == Dimension::of(2, 1, -2) && name == "M_b";
   if (id == "shaft.design" && (is_force || is_moment))

@@ -55,6 +55,7 @@ class PartCheck {
       if (is_of_same_body(size)) compare_material(size.operand->path, *size.source);
     }
     compare_bore_of_shaft();
+    compare_seat();
     for (const Taken& record : step_.input().reading.records) {
       const auto [name, rest] = split_step(record.source);
       const Step* const source = project_.find(name);
@@ -64,6 +65,24 @@ class PartCheck {
   }
 
  private:
+  /// A connection on a smaller diameter than the shaft in torsion that carries the same torque of [values].
+  void compare_seat() {
+    constexpr double step_of_bearing = 0.98;
+    const auto torque = step_.input().reading.typed.find("T");
+    if (id_of(step_) != "shaft.torsion" || torque == step_.input().reading.typed.end()) return;
+    const double d = own_value(step_, project_, "d");
+    for (const auto& other : project_.steps) {
+      const auto there = other->input().reading.typed.find("T");
+      const bool is_alike = connects(*other) && there != other->input().reading.typed.end() &&
+                            !torque->second.shared.empty() && there->second.shared == torque->second.shared;
+      const double seat = is_alike ? own_value(*other, project_, "d") : std::nan("");
+      if (!(seat < step_of_bearing * d)) continue;
+      found_.push_back({"d", say("d = {1}, and '{2}' with the same torque has {3}: assess the thinnest diameter of the "
+                                 "shaft, or justify it: because.d = \"...\"",
+                                 format_quantity(d, "mm", 4), other->name(), format_quantity(seat, "mm", 4))});
+    }
+  }
+
   void add(const std::string& path, Message message) {
     const auto is_it = [&](const ReducedLoad& one) { return one.path == path; };
     if (std::none_of(found_.begin(), found_.end(), is_it)) found_.push_back({path, std::move(message)});

@@ -34,6 +34,15 @@ bool is_eccentricity(const std::string& name) {
          (name.starts_with("e_") && name.size() > 3 && !is_of_other_state(name)) || has_word(name, {"eccentricity"});
 }
 
+/// Whether a moment is computed from an eccentricity of [values]: another one acts in addition.
+bool takes_eccentricity(const Step& step) {
+  return std::ranges::any_of(step.input().reading.operands, [](const Operand& operand) {
+    return operand.leaf.field->is_load && std::ranges::any_of(operand.expression.references(), [](const auto& one) {
+             return one.path.starts_with("values.") && is_eccentricity(one.path.substr(one.path.find('.') + 1));
+           });
+  });
+}
+
 /// "l_eff", "L_cr": a length with its effective length factor.
 bool is_effective_length(const std::string& name) {
   return has_word(name.substr(0, name.find('_')), {"l", "s"}) &&
@@ -70,6 +79,20 @@ bool is_bending_moment(const std::string& name) {
   return name == "M" || name == "M_b" || name == "M_max" || name == "M_Ed" || name == "M_d";
 }
 
+/// "N_c", "F_push" of [values] for the axial force, or a step "push rod".
+bool is_compressed(const Step& step) {
+  const std::initializer_list<std::string_view> words{"c",    "comp",  "compression", "compressive",
+                                                      "push", "clamp", "strut",       "prop"};
+  const bool is_named_so =
+      std::ranges::any_of(words, [&](std::string_view word) { return word.size() > 1 && is_named(step, word); });
+  const auto typed = step.input().reading.typed.find("N");
+  const Operand* const operand = step.input().reading.operand("N");
+  const bool is_shared = typed != step.input().reading.typed.end() && has_word(typed->second.shared, words);
+  return is_named_so || is_shared ||
+         (operand != nullptr && std::ranges::any_of(operand->expression.references(),
+                                                    [&](const auto& one) { return has_word(one.path, words); }));
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> columns_stated_otherwise(const Step& step, const Project& project) {
@@ -82,8 +105,9 @@ std::vector<ReducedLoad> columns_stated_otherwise(const Step& step, const Projec
   for (const auto& [name, value] : project.values.unused()) {
     const Dimension dimension = value.signature.dimension.without_angle();
     const double si = std::abs(value.si.front());
-    const bool is_off_axis = dimension == length && si > 0.0 && is_eccentricity(name) && M == 0.0 &&
-                             largest_of(step, project, {"e_y", "e_z"}) == 0.0;
+    const bool is_centric = M == 0.0 && largest_of(step, project, {"e_y", "e_z"}) == 0.0;
+    const bool is_off_axis = dimension == length && si > 0.0 && is_eccentricity(name) &&
+                             (is_centric || (name.size() > 1 && takes_eccentricity(step)));
     const bool is_bent = dimension == bending_moment && is_bending_moment(name) && si > (1.0 + in_few_digits) * M;
     if (is_off_axis || is_bent)
       found.push_back({"P", say("values.{1} is not used by any step: include it in a load, delete it, or justify it: "
@@ -105,6 +129,29 @@ std::vector<ReducedLoad> columns_stated_otherwise(const Step& step, const Projec
                                 name, format_quantity(si, "mm", 5), format_quantity(l, "mm", 5))});
   }
   return found;
+}
+
+std::vector<ReducedLoad> eccentric_links(const Step& step, const Project& project) {
+  if (id_of(step) != "link.member") return {};
+  const double N = std::abs(own_value(step, project, "N")), M_b = std::abs(own_value(step, project, "M_b"));
+  std::vector<ReducedLoad> found;
+  for (const auto& [name, value] : project.values.unused()) {
+    const double moment = N * std::abs(value.si.front());
+    if (!(value.signature.dimension == length) || !is_eccentricity(name) || !(moment > std::fmax(0.0, M_b))) continue;
+    found.push_back(
+        {"M_b", say("values.{1} acts on no step, and with N it is a moment of {2}: add it to M_b, delete it, "
+                    "or justify it: because.M_b = \"...\"",
+                    name, format_quantity(moment, "N*m", 4))});
+  }
+  return found;
+}
+
+std::vector<ReducedLoad> bars_in_tension(const Step& step, const Project& project) {
+  if (id_of(step) != "link.member" || !(own_value(step, project, "N") > 0.0)) return {};
+  if (std::isnan(own_value(step, project, "n_st")) || !is_compressed(step)) return {};
+  return {
+      {"N", say("N is positive, which is tension, and this bar is compressed by the name of the force or of the step: "
+                "write N = \"=-...\", or because.N = \"...\"")}};
 }
 
 }  // namespace loadpath::project

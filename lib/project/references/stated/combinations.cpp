@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ namespace loadpath::project {
 
 namespace {
 
+const Dimension moment = Dimension::of(2, 1, -2);
 constexpr double least_partial = 1.1, most_partial = 2.0;  // partial factors of unfavourable actions
 
 /// The terms of a sum without parentheses around terms; a subtracted one acts against the others.
@@ -61,13 +63,20 @@ class Combinations {
   std::vector<ReducedLoad> run() {
     for (const Operand& operand : step_.input().reading.operands) {
       if (operand.leaf.field->is_load && !operand.leaf.field->dimension.is_number()) compare_terms(operand);
+      if (operand.leaf.field->is_load && operand.leaf.field->dimension == stated::force)
+        compare_characteristic(operand), compare_moments(operand);
     }
     for (const auto& [name, value] : project_.values.unused()) {
       const double si = std::abs(value.si.front());
       if (value.signature.dimension == stated::force && si > 0.0) compare_action(name);
       if (value.signature.dimension.is_number()) compare_factor(name, si), compare_notch(name, si);
       if (value.signature.dimension == stated::pressure) compare_range(name, si);
+      if (value.signature.dimension == stated::mass && si > 0.0) compare_attachment(name), compare_rim(name);
+      if (value.signature.dimension == stated::length && si > 0.0) compare_hole(name);
       if (!value.signature.dimension.is_number()) compare_end(name), compare_peak(name, si, value.signature.dimension);
+      if (value.si.front() < 0.0) compare_reversal(name, value.signature.dimension);
+      if (value.signature.dimension == moment && si > 0.0) compare_moment(name);
+      if (value.signature.dimension == stated::force && si > 0.0) compare_across(name);
     }
     return std::move(found_);
   }
@@ -93,28 +102,154 @@ class Combinations {
     }
   }
 
+  /// The forces of [values] that an input is computed from.
+  [[nodiscard]] std::set<std::string> forces_of(const Operand& operand) const {
+    std::set<std::string> forces;
+    for (const auto& reference : operand.expression.references()) {
+      const Value* const value = reference.path.starts_with("values.") ? project_.value(reference.path) : nullptr;
+      if (value != nullptr && value->signature.dimension == stated::force) forces.insert(reference.path);
+    }
+    return forces;
+  }
+
+  /// "P = =values.G_k + values.Q_k" next to gamma_F = 1.
+  void compare_characteristic(const Operand& operand) {
+    const std::set<std::string> forces = forces_of(operand);
+    const auto is_characteristic = [](const std::string& path) { return path.ends_with("_k"); };
+    if (forces.empty() || !std::ranges::all_of(forces, is_characteristic) || !has_input("gamma_F")) return;
+    double sum = 0.0;
+    for (const std::string& path : forces) sum += std::abs(magnitude_at(project_, path));
+    const double gamma_F = own_value(step_, project_, "gamma_F");
+    const double total = std::abs(own_value(step_, project_, operand.path)) * std::fmax(1.0, gamma_F);
+    if (!(total < least_partial * sum)) return;
+    add(operand.path,
+        say("{1} is computed from characteristic values without partial factors, and gamma_F is {2}: give "
+            "the factors, or justify it: {3} = \"...\"",
+            operand.path, std::isnan(gamma_F) ? "not given" : format_number(gamma_F, 4), because_key(operand.path)));
+  }
+
+  /// A vertical action in the moment of the eccentric forces of a column, and not among these forces.
+  void compare_moments(const Operand& operand) {
+    const std::set<std::string> forces = forces_of(operand);
+    for (const Operand& other : step_.input().reading.operands) {
+      if (!other.leaf.field->is_load || other.leaf.field->dimension != moment) continue;
+      const std::set<std::string> bending = forces_of(other);
+      const bool is_shared = std::ranges::any_of(bending, [&](const auto& path) { return forces.contains(path); });
+      for (const std::string& path : bending) {
+        const std::string name = path.substr(path.find('.') + 1);
+        const bool is_vertical = name[0] != 'W' && is_action(name);
+        if (!is_shared || !is_vertical || forces.contains(path)) continue;
+        return add(operand.path, say("{1} is computed from '{2}', and {3} is not: add it, or justify it: {4} = \"...\"",
+                                     other.path, path, operand.path, because_key(operand.path)));
+      }
+    }
+  }
+
+  /// "m_blades" on a disc, whose forces at the rim are not assessed.
+  void compare_rim(const std::string& name) {
+    const bool is_on_rim =
+        has_word(name, {"blade", "blades", "bucket", "buckets", "shells", "segments", "magnets", "hammers", "vanes"});
+    if (id_of(step_) == "machine.disc" && is_on_rim)
+      add("D", say("values.{1} acts on no step, and forces at the rim are not assessed: assess them separately, "
+                   "because.D = \"...\", or delete the value",
+                   name));
+  }
+
+  /// "d_hole" next to a cycle of nominal stresses.
+  void compare_hole(const std::string& name) {
+    const bool is_cycle = id_of(step_).starts_with("fatigue.") && !std::isnan(own_value(step_, project_, "sigma_max"));
+    if (is_cycle && has_word(name, {"hole", "holes"}))
+      add("sigma_max", say("values.{1} acts on no step: the cycle must include its stress concentration, "
+                           "because.sigma_max = \"...\", or delete the value",
+                           name));
+  }
+
+  /// "m_block" next to a load that is the weight of another mass of [values].
+  void compare_attachment(const std::string& name) {
+    if (!has_word(name, {"grab", "hook", "block", "spreader", "sling", "slings", "bucket", "cage", "tare", "pallet",
+                         "fork", "gripper", "tool"}))
+      return;
+    for (const Operand& operand : step_.input().reading.operands) {
+      const FieldInfo& field = *operand.leaf.field;
+      const bool is_weight = field.is_load && (field.dimension == stated::force || field.dimension == moment) &&
+                             std::ranges::any_of(operand.expression.references(), [&](const auto& one) {
+                               const Value* const value = project_.value(one.path);
+                               return value != nullptr && value->signature.dimension == stated::mass;
+                             });
+      if (is_weight)
+        return add(operand.path,
+                   say("values.{1} acts on no step, and {2} is computed from another mass: add it, delete "
+                       "it, or justify it: {3} = \"...\"",
+                       name, operand.path, because_key(operand.path)));
+    }
+  }
+
+  /// "F_reverse = -40 kN" next to a cycle of positive forces.
+  void compare_reversal(const std::string& name, const Dimension& dimension) {
+    if (!id_of(step_).starts_with("fatigue.") || is_of_other_state(name)) return;
+    for (const Operand& operand : step_.input().reading.operands) {
+      const bool is_of_positive =
+          operand.leaf.field->is_load && std::ranges::any_of(operand.expression.references(), [&](const auto& one) {
+            const Value* const value = project_.value(one.path);
+            return value != nullptr && value->signature.dimension == dimension && value->si.front() >= 0.0;
+          });
+      if (is_of_positive)
+        return add(operand.path, say("values.{1} acts on no step, and reverses the load of this cycle: refer to it, "
+                                     "delete it, or justify it: {2} = \"...\"",
+                                     name, because_key(operand.path)));
+    }
+  }
+
+  /// "M_b" next to a cycle of stresses by other loads.
+  void compare_moment(const std::string& name) {
+    const bool is_bending = name == "M_b" || name.starts_with("M_b_") || has_word(name, {"bend", "bending"});
+    const bool is_assessed = std::ranges::any_of(project_.steps, [](const auto& one) {
+      return id_of(*one) == "shaft.design" || id_of(*one) == "shaft.overhung" || id_of(*one) == "link.member";
+    });
+    if (!is_bending || is_assessed || !id_of(step_).starts_with("fatigue.") || has_input("M_ba")) return;
+    for (const char* const key : {"sigma_max", "sigma_a"}) {
+      if (std::isnan(own_value(step_, project_, key))) continue;
+      return add(key, say("values.{1} acts on no step: add its stress to the cycle, delete it, or justify it: "
+                          "because.{2} = \"...\"",
+                          name, key));
+    }
+  }
+
+  /// "H_braking" next to a column with end moments only.
+  void compare_across(const std::string& name) {
+    const bool is_horizontal = name.starts_with("H_") || name.starts_with("F_H_");
+    if (!is_horizontal || id_of(step_) != "column.beam_column" || is_of_other_state(name)) return;
+    add("P", say("values.{1} acts on no step, and bends the column: refer to it, delete it, or justify it: because.P = "
+                 "\"...\"",
+                 name));
+  }
+
   /// The first force of the step that is computed from forces of [values]; empty if it has none.
   [[nodiscard]] std::string combined_force() const {
     for (const Operand& operand : step_.input().reading.operands) {
       const FieldInfo& field = *operand.leaf.field;
-      if (!field.is_load || !(field.dimension == stated::force)) continue;
+      if (!field.is_load || field.dimension.is_number()) continue;
       const auto& references = operand.expression.references();
-      const bool is_of_actions = std::ranges::any_of(references, [&](const auto& reference) {
-        return reference.path.starts_with("values.") && is_action(reference.path.substr(7));
-      });
+      const bool is_of_actions =
+          std::ranges::any_of(references, [&](const auto& reference) { return is_value_of_action(reference.path); });
       if (is_of_actions) return operand.path;
     }
     return {};
   }
 
+  [[nodiscard]] static bool is_value_of_action(const std::string& path) {
+    return path.starts_with("values.") && is_action(path.substr(path.find('.') + 1));
+  }
+
   /// A permanent or variable action by its symbol: "G", "Q_snow", "S_k", "W".
   [[nodiscard]] static bool is_action(const std::string& name) {
     const bool is_symbol = name.size() == 1 || name[1] == '_';
+    if (name.starts_with("F_") && has_word(name, {"live", "imposed", "permanent", "variable"})) return true;
     return is_symbol && std::string_view("GQSW").find(name[0]) != std::string_view::npos && !is_of_other_state(name);
   }
 
   void compare_action(const std::string& name) {
-    if (!is_action(name) && !has_word(name, {"wind", "snow", "live", "crane", "impact"})) return;
+    if (!is_action(name) && !has_word(name, {"wind", "gust", "snow", "ice", "live", "crane", "impact"})) return;
     const std::string path = is_of_other_state(name) ? std::string() : combined_force();
     if (!path.empty())
       add(path, say("values.{1} acts on no step, and {2} is combined of other actions: add it, delete it, or justify "
@@ -181,10 +316,28 @@ class Combinations {
     }
   }
 
+  /// The largest value of [values] of this dimension that a load of the step is computed from.
+  [[nodiscard]] double largest_taken(const Dimension& dimension) const {
+    double largest = 0.0;
+    for (const Operand& operand : step_.input().reading.operands) {
+      if (!operand.leaf.field->is_load) continue;
+      for (const auto& reference : operand.expression.references()) {
+        const Value* const value = reference.path.starts_with("values.") ? project_.value(reference.path) : nullptr;
+        if (value != nullptr && value->signature.dimension == dimension)
+          largest = std::fmax(largest, std::abs(magnitude_at(project_, reference.path)));
+      }
+    }
+    return largest;
+  }
+
+  /// "F_abuse": an index is a word; "F_t" is a component.
+  [[nodiscard]] static bool is_word_behind(const std::string& name) { return name.size() > name.rfind('_') + 3; }
+
   /// "p_relief" next to a force that is computed from "p_oil".
   void compare_peak(const std::string& name, double si, const Dimension& dimension) {
     const std::string symbol = "values." + name.substr(0, name.find('_') + 1);
-    const bool is_peak = is_of_peak(name) || has_word(name, {"relief", "test", "surge", "hammer"});
+    const bool is_peak = is_of_peak(name) || has_word(name, {"relief", "test", "surge", "hammer"}) ||
+                         (dimension == stated::force && symbol == "values.F_" && is_word_behind(name));
     if (!is_peak || is_of_other_state(name) || !symbol.ends_with('_')) return;
     for (const Operand& operand : step_.input().reading.operands) {
       if (!operand.leaf.field->is_load || operand.leaf.field->dimension == dimension) continue;
@@ -192,7 +345,7 @@ class Combinations {
         const Value* const value = project_.value(reference.path);
         if (!reference.path.starts_with(symbol) || value == nullptr || value->signature.dimension != dimension)
           continue;
-        if (!(si > (1.0 + stated::rounded) * std::abs(magnitude_at(project_, reference.path)))) continue;
+        if (!(si > (1.0 + stated::rounded) * largest_taken(dimension))) continue;
         return add(operand.path,
                    say("values.{1} acts on no step, and {2} is computed from '{3}', which is lower: refer "
                        "to it, delete it, or justify it: {4} = \"...\"",

@@ -94,8 +94,8 @@ class Conditions {
 
   /// "weld_factor = 0.85" next to a seam of 1.
   void compare_seam(const std::string& name, double si) {
-    const bool is_of_seam = has_word(name, {"weld", "seam", "joint"});
-    if (!is_of_seam || !has_word(name, {"factor", "efficiency", "coefficient", "z", "eta", "v", "phi", "e"})) return;
+    const bool is_factor = has_word(name, {"factor", "efficiency", "coefficient", "z", "eta", "v", "phi", "e"});
+    if (!has_word(name, {"weld", "seam", "joint"}) || !(is_factor || name == "seam")) return;
     if (field("z_l") == nullptr || !(si > 0.0 && si < (1.0 - in_few_digits) * own("z_l"))) return;
     add_number(name, si, "z_l", own("z_l"));
   }
@@ -122,13 +122,20 @@ class Conditions {
                            has_only_words(name, {"impact", "shock", "dynamic", "dyn", "gust", "surge", "overload",
                                                  "factor", "coefficient", "allowance", "phi", "psi", "f", "k", "load"});
     const bool is_one = is_factor || std::ranges::find(names, std::string_view(name)) != names.end() ||
-                        (name == "f" && is_pin()) || (is_partial_of_load(name) && field("gamma_F") == nullptr);
+                        (name == "f" && is_pin()) || (is_partial_of_load(name) && field("gamma_F") == nullptr) ||
+                        name.starts_with("phi_") || is_unapplied_factor(name);
     const bool is_partial = name == "load_factor" && si <= (1.0 + in_few_digits) * own("gamma_F");
     if (!is_one || !(si > 1.0 + in_few_digits && si <= most) || own("K_A") > 1.0 || is_partial) return;
     const std::string key = typed_load();
     if (key.empty()) return;
     add(key, say("values.{1} = {2} acts on no step: refer to it, delete it, or justify it: because.{3} = \"...\"", name,
                  format_number(si, 5), key));
+  }
+
+  /// "K_A" of a project none of whose steps has an application factor.
+  [[nodiscard]] bool is_unapplied_factor(const std::string& name) const {
+    const auto has_one = [](const auto& one) { return find_field(one->input().calculator->input->fields, "K_A"); };
+    return (name == "K_A" || name.starts_with("K_A_")) && std::ranges::none_of(project_.steps, has_one);
   }
 
   /// The first load that is typed or comes from [values]: the file states it, not another step.
@@ -222,7 +229,8 @@ class Conditions {
   /// Load cycles of a part whose fatigue nothing assesses.
   void compare_cycles(const std::string& name, double si) {
     constexpr double fewest = 1e4;
-    if (name != "N" && !has_word(name, {"cycles"})) return;
+    if (is_of_peak(name) || (!name.starts_with("N_") && name != "N" && !has_word(name, {"cycles", "lifts", "strokes"})))
+      return;
     const bool is_on_shaft = id_.starts_with("shaft.");  // whose fatigue a step of shaft.design assesses
     const bool is_assessed = std::ranges::any_of(
         project_.steps, [&](const auto& one) { return is_of_fatigue(*one) || (is_on_shaft && is_shaft_design(*one)); });
@@ -266,15 +274,16 @@ class Conditions {
   void compare_overspeed(const std::string& name, double si) {
     constexpr double most = 3.0;
     const bool is_most = name == "n_max" && (id_ == "machine.disc" || id_ == "shaft.press_fit");
+    const std::string key = id_ == "machine.flywheel" ? "omega" : "n";
     if (!(is_most || has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin", "top", "fast"})) ||
-        field("n") == nullptr)
+        field(key) == nullptr)
       return;
-    const auto has_it = [&](const auto& one) { return std::abs(own_value(*one, project_, "n")) >= si * (1.0 - 1e-3); };
-    const double typed = own("n"), here = std::abs(std::isnan(typed) ? found("n") : typed);
+    const auto has_it = [&](const auto& one) { return std::abs(own_value(*one, project_, key)) >= si * (1.0 - 1e-3); };
+    const double typed = own(key), here = std::abs(std::isnan(typed) ? found(key) : typed);
     if (!(si > here && si <= most * here) || std::ranges::any_of(project_.steps, has_it)) return;
-    add("n", say("values.{1} = {2} acts on no step, and n is {3}: refer to it, delete it, or justify it: because.n = "
-                 "\"...\"",
-                 name, format_quantity(si, "rpm", 5), format_quantity(here, "rpm", 5)));
+    add(key, say("values.{1} = {2} acts on no step, and {4} is {3}: refer to it, delete it, or justify it: because.{4} "
+                 "= \"...\"",
+                 name, format_quantity(si, "rpm", 5), format_quantity(here, "rpm", 5), key));
   }
 
   /// A level above that of the step; the density and the level of a liquid, next to a wall that holds none.
@@ -320,7 +329,8 @@ class Conditions {
 
   /// A nozzle or a manhole of a vessel, whose reinforcement is assessed elsewhere; holes of a disc.
   void compare_opening(const std::string& name) {
-    if (!has_word(name, {"nozzle", "nozzles", "opening", "openings", "manhole", "hole", "holes", "branch"})) return;
+    if (!has_word(name, {"nozzle", "nozzles", "opening", "openings", "manhole", "manway", "hole", "holes", "branch"}))
+      return;
     if (has_mode("nozzles") && !is_accepted("nozzles") && field("p") != nullptr)
       add("p", say("values.{1} acts on no step, and the reinforcement of openings is not assessed: assess it "
                    "separately, accept.nozzles = \"...\", or delete the value",

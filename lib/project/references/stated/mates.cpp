@@ -70,13 +70,15 @@ class Mates {
   void compare_shaft(const std::string& name, double si) {
     const bool is_on_shaft = connects(step_) || id_ == "bearing.rolling" || id_ == "shaft.circlip";
     const bool is_meant = has_word(name, {"shaft", "journal"}) || (connects(step_) && has_word(name, {"motor"}));
-    if (is_on_shaft && is_meant && !has_size(si, {"d", "d_1", "d_2"}, fitted)) add("d", name, si);
+    if (!is_on_shaft || !is_meant || has_size(si, {"d", "d_1", "d_2"}, fitted)) return;
+    add(std::isnan(size_at(step_, project_, "d")) ? "d_1" : "d", name, si);
   }
 
   /// "d_pin", "d_hole" next to a pin or a lug of another diameter.
   void compare_pin(const std::string& name, double si) {
-    const bool is_meant = has_word(name, {"pin", "bolt", "hole", "eye"});
-    if (id_.starts_with("pin.") && is_meant && !has_size(si, {"d", "d_0"}, of_hole)) add("d", name, si);
+    const bool is_meant = has_word(name, {"pin", "bolt", "shackle", "hole", "eye"});
+    const double share = has_word(name, {"hole", "eye"}) ? of_hole : fitted;
+    if (id_.starts_with("pin.") && is_meant && !has_size(si, {"d", "d_0"}, share)) add("d", name, si);
   }
 
   /// "t_fork" next to other plates of a pin.

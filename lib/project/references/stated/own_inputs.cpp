@@ -68,6 +68,14 @@ bool is_of_body(const Dimension& dimension) {
 /// The efficiency of a seam: a factor that is worse if it is smaller.
 bool is_of_seam(std::string_view name) { return name == "z_l" || name == "z_c"; }
 
+/// The yield strength in the designation of a structural or pressure vessel steel by EN 10027-1, "S185"; NaN of others.
+double yield_by_designation(const std::string& word) {
+  constexpr double MPa = 1e6;
+  const bool is_such = word.size() >= 4 && (word[0] == 'S' || word[0] == 'P' || word[0] == 'E') &&
+                       std::all_of(word.begin() + 1, word.begin() + 4, [](char c) { return c >= '0' && c <= '9'; });
+  return is_such ? MPa * std::stod(word.substr(1, 3)) : std::nan("");
+}
+
 class OwnInputs {
  public:
   OwnInputs(const Step& step, const Project& project) : step_(step), project_(project) {}
@@ -115,16 +123,27 @@ class OwnInputs {
     const bool is_gear = id == "gear.pair" || id == "gear.rating" || id == "gear.bevel" || id == "gear.worm";
     if (!(dimension == length) || !(is_gear || id == "pin.en1993")) return;
     const bool is_width = is_gear && (name == "b_1" || name == "b_2");
+    for (const char* const key : {"m_n", "m_x", "m_et"}) {
+      const FieldInfo* const field =
+          is_gear && name.starts_with(std::string(key) + "_") ? input_of(step_, key) : nullptr;
+      const double here = field == nullptr ? std::nan("") : known(step_, project_, key);
+      if (!std::isnan(here) && !is_equal(here, stated) && !is_taken_elsewhere(key, stated))
+        add_size(name, stated, *field, here);
+    }
     for (const auto& [symbol, key] :
          {std::pair{"m", "m_n"}, {"m", "m_x"}, {"m", "m_et"}, {"b_1", "b"}, {"b_2", "b"}, {"t", "t_1"}}) {
       const FieldInfo* const field = name == symbol ? input_of(step_, key) : nullptr;
       const double here = field == nullptr ? std::nan("") : known(step_, project_, key);
       if (std::isnan(here) || is_equal(here, stated) || (is_width && stated > here)) continue;
-      if (!is_taken_elsewhere(key, stated))
-        found_.push_back({key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or "
-                                   "justify it: because.{3} = \"...\"",
-                                   name, shown(*field, stated), key, shown(*field, here))});
+      if (!is_taken_elsewhere(key, stated)) add_size(name, stated, *field, here);
     }
+  }
+
+  void add_size(const std::string& name, double stated, const FieldInfo& field, double here) {
+    found_.push_back(
+        {field.key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or "
+                        "justify it: because.{3} = \"...\"",
+                        name, shown(field, stated), field.key, shown(field, here))});
   }
 
   /// Whether a value that the step does not have changes its assessment: a requirement, an eccentricity, the level of a
@@ -184,9 +203,17 @@ class OwnInputs {
   }
 
   void compare_word(const std::string& name, const std::string& word) {
-    if (has_word(name, {"material", "steel", "grade"})) compare_material(name, word);
+    const bool is_wall = id_of(step_).starts_with("vessel.") && has_word(name, {"plate", "plates", "shell", "sheet"});
+    if (has_word(name, {"material", "steel", "grade"}) || is_wall || (connects(step_) && name == "hub"))
+      compare_material(name, word);
     if (word == "yes" || word == "true") compare_sense(name, name, word);
-    if (word == "reversing" || word == "alternating") compare_sense(name, word, word);
+    for (const char* const sense : {"reversing", "alternating", "pulsating", "dynamic"}) {
+      if (word.find(sense) == std::string::npos) continue;
+      compare_sense(name, sense, word);
+      if (std::string_view(sense) != "dynamic") compare_sense(name, "dynamic", word);
+    }
+    compare_pivots(name, word);
+    compare_row(name, word);
     const FieldInfo* const own = input_of(step_, name);
     const FieldInfo* const field = own == nullptr ? input_of(step_, name + "_1") : own;  // of two parts
     if (field == nullptr || field->type != FieldInfo::Type::choice) return;
@@ -212,8 +239,9 @@ class OwnInputs {
     const bool is_elsewhere =
         std::ranges::any_of(project_.steps, [&](const auto& other) { return material_of(*other) == word; });
     const auto row = project_.tables->find_row("material", word);
-    if (is_elsewhere || (!row && (here.empty() || name != "material"))) return;
-    const double R_e = row ? table::largest_value(*row, "R_e") : 0.0,
+    const double by_name = row ? std::nan("") : yield_by_designation(word);
+    if (is_elsewhere || (!row && std::isnan(by_name) && (here.empty() || name != "material"))) return;
+    const double R_e = row ? table::largest_value(*row, "R_e") : std::fmax(0.0, by_name),
                  R_m = row ? table::largest_value(*row, "R_m") : 0.0;
     for (const char* const key : {"R_e", "R_e_2", "R_e_1", "R_eN", "f_y_1", "R_m"}) {
       const double own = input_of(step_, key) == nullptr ? std::nan("") : known(step_, project_, key);
@@ -233,9 +261,43 @@ class OwnInputs {
       if (field.type != FieldInfo::Type::choice || !step_.input().reading.typed.contains(field.key)) continue;
       const bool is_choice = std::ranges::any_of(field.choices, [&](const auto& one) { return choice == one.key; });
       const auto has_it = [&](const auto& other) { return word_at(*other, field.key) == choice; };
-      if (is_choice && std::ranges::none_of(project_.steps, has_it)) add_word(name, word, field);
+      const bool is_safe = (choice == "pulsating" || choice == "dynamic") && !is_steady(word_at(step_, field.key));
+      if (is_choice && !is_safe && std::ranges::none_of(project_.steps, has_it)) add_word(name, word, field);
     }
   }
+
+  /// "clevis at both ends" next to a bar with fixed ends.
+  void compare_pivots(const std::string& name, const std::string& word) {
+    const FieldInfo* const ends = input_of(step_, "ends");
+    const std::string here = ends == nullptr ? std::string() : word_at(step_, "ends");
+    const auto says = [&](std::string_view part) { return word.find(part) != std::string::npos; };
+    const bool is_pivot = says("clevis") || says("clevises") || says("pinned") || says("hinge");
+    const bool is_fixed = here == "fixed_fixed" || (says("both") && here.find("fixed") != std::string::npos);
+    const bool is_free = word == "free" && !here.empty() && here.find("free") == std::string::npos &&
+                         has_word(name, {"top", "head", "foot", "end", "upper", "lower"});
+    if ((is_pivot && is_fixed && !says("fixed")) || is_free) add_word(name, word, *ends);
+  }
+
+  /// "section = CHS 101.6x4" next to another row of that table.
+  void compare_row(const std::string& name, const std::string& word) {
+    const auto row = step_.input().rows.find(name);
+    if (row == step_.input().rows.end() || name == "material" || row->second.text == word) return;
+    const auto has_it = [&](const auto& other) {
+      const auto there = other->input().rows.find(name);
+      return there != other->input().rows.end() && there->second.text == word;
+    };
+    if (row->second.text.starts_with('=') || row->second.text == "?" || std::ranges::any_of(project_.steps, has_it))
+      return;
+    for (const FieldInfo& field : step_.input().calculator->input->fields) {
+      if (!field.is_load || !step_.input().reading.typed.contains(field.key)) continue;
+      return found_.push_back(
+          {field.key, say("values.{1} = {2} acts on no step, and {1} is {3} here: correct one of them, "
+                          "delete it, or justify it: because.{4} = \"...\"",
+                          name, word, row->second.text, field.key)});
+    }
+  }
+
+  [[nodiscard]] static bool is_steady(std::string_view word) { return word == "steady" || word == "static"; }
 
   void add_word(const std::string& name, const std::string& word, const FieldInfo& field) {
     const std::string here = word_at(step_, field.key);

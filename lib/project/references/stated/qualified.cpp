@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -36,15 +37,17 @@ bool is_one_of(std::string_view symbol, std::initializer_list<std::string_view> 
 Kind kind_of(const Step& step, const FieldInfo& field) {
   const std::string_view symbol = symbol_of(field.key), id = id_of(step);
   const bool is_number = field.dimension.is_number();
-  const bool is_strong = symbol.ends_with("_adm") || is_one_of(symbol, {"R_e", "R_m", "f_y", "f_u", "H_B", "F_B", "F_u",
-                                                                        "P_R", "P_b", "C_0", "z_l", "Q_v", "delta"});
+  const bool is_strong =
+      symbol.ends_with("_adm") || is_one_of(symbol, {"R_e", "R_m", "f_y", "f_u", "H_B", "F_B", "F_u", "P_R", "P_b",
+                                                     "C_0", "z_l", "Q_v", "delta", "A_h"});
   const bool is_stiff = symbol == "E" && find_field(step.input().calculator->input->fields, "n_st") != nullptr;
   if (is_strong || is_stiff || (symbol == "H" && id.starts_with("gear.")) ||
       (symbol == "C" && id == "bearing.rolling") || means(*step.input().calculator, field.key, &is_strength))
     return Kind::capacity;
   const bool is_safety = symbol == "S" || symbol == "n_st" || symbol == "s_0" || symbol.starts_with("S_");
   const bool is_required = symbol == "L_h" || symbol == "L_req" || symbol == "n_req" || symbol == "grade" ||
-                           (symbol == "c" && id.starts_with("vessel.")) || (field.is_factor && is_number) ||
+                           (symbol == "c" && id.starts_with("vessel.")) || symbol == "R_z" ||
+                           (field.is_factor && is_number) ||
                            (field.is_load && (symbol.starts_with("sigma_") || symbol.starts_with("tau_")));
   return is_required || (is_safety && is_number) ? Kind::demand : Kind::other;
 }
@@ -106,28 +109,50 @@ class Qualified {
                                 : one.si <= (1.0 + stated::rounded) * stated;
   }
 
+  /// The strength of the part by its word, under the index that it has in the step: "R_e_key" next to R_e_k.
+  bool compare_part(const std::string& name, std::string_view symbol, double stated, const Dimension& dimension,
+                    Kind kind) {
+    if (!connects(step_) || kind != Kind::capacity) return false;
+    for (const auto& [word, index] : {std::pair{"shaft", "_1"}, {"hub", "_2"}, {"key", "_k"}}) {
+      const std::string key = std::string(symbol) + index;
+      const FieldInfo* const field = find_field(step_.input().calculator->input->fields, key);
+      const double here = own_value(step_, project_, key);
+      if (!has_word(name, {word}) || field == nullptr || !(field->dimension == dimension)) continue;
+      if (stated < (1.0 - ::loadpath::project::stated::rounded) * here) add(name, stated, *field, here);
+      return true;
+    }
+    return false;
+  }
+
+  void add(const std::string& name, double stated, const FieldInfo& field, double here) {
+    const auto shown = [&](double si) {
+      return field.dimension.is_number() ? format_number(si, 5) : format_quantity(si, field.unit, 5);
+    };
+    found_.push_back(
+        {field.key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or "
+                        "justify it: because.{3} = \"...\"",
+                        name, shown(stated), field.key, shown(here))});
+  }
+
   void compare(const std::string& name, const Value& value) {
     const Dimension& dimension = value.signature.dimension;
     const auto is_input = [&](const auto& one) {
       return find_field(one->input().calculator->input->fields, name) != nullptr;
     };
-    const auto [symbol, kind] = symbol_in(name, dimension);
+    const bool is_hardness = has_word(name, {"hardness"});
+    const auto [symbol, kind] = symbol_in(is_hardness ? "H_" + name : name, dimension);
     const bool is_required_rating = symbol != "delta" && kind == Kind::capacity && has_word(name, {"req", "required"});
     if (is_required_rating || (symbol == "delta" && !dimension.is_number())) return;
     const double stated = value.si.front();
     if (kind == Kind::other || std::ranges::any_of(project_.steps, is_input) || !(stated > 0.0)) return;
-    if (is_of_another(name.substr(symbol.size()), kind)) return;
+    if (is_of_another(is_hardness ? name : name.substr(symbol.size()), kind)) return;
+    if (compare_part(name, symbol, stated, dimension, kind)) return;
     const Safest here = safest(step_, symbol, kind, dimension);
     const auto has_it = [&, symbol = symbol, kind = kind](const auto& one) {
       return covers(safest(*one, symbol, kind, dimension), stated, kind);
     };
     if (here.field == nullptr || std::ranges::any_of(project_.steps, has_it)) return;
-    const auto shown = [&](double si) {
-      return dimension.is_number() ? format_number(si, 5) : format_quantity(si, here.field->unit, 5);
-    };
-    found_.push_back({here.field->key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete "
-                                           "it, or justify it: because.{3} = \"...\"",
-                                           name, shown(stated), here.field->key, shown(here.si))});
+    add(name, stated, *here.field, here.si);
   }
 
   const Step& step_;

@@ -59,7 +59,8 @@ class Requirements {
     for (const std::string_view ending : endings) {
       if (name.ends_with(ending)) return name.substr(0, name.size() - ending.size()) + "_adm";
     }
-    return name;
+    const bool is_time = name.starts_with("t_") && has_word(name, {"max"});  // of a run-up
+    return is_time ? "t_adm" : name;
   }
 
   [[nodiscard]] double own(const std::string& key) const { return own_value(step_, project_, key); }

@@ -34,13 +34,20 @@ std::string_view family_of(std::string_view name) {
 /// A state of the part, or a place of it that carries.
 bool is_of_state(std::string_view name) {
   return has_word(
-      name, {"made",    "actual",      "real",     "measured",  "built",  "existing", "drawn", "eff",     "engaged",
-             "free",    "unsupported", "extended", "effective", "bore",   "core",     "root",  "fillet",  "engagement",
-             "drawing", "rim",         "rings",    "hub",       "keyway", "housing",  "neck",  "undercut"});
+      name, {"made",     "actual",      "real",     "measured",  "built",  "existing", "drawn", "eff",     "engaged",
+             "free",     "unsupported", "extended", "effective", "bore",   "core",     "root",  "fillet",  "engagement",
+             "drawing",  "rim",         "rings",    "hub",       "keyway", "housing",  "neck",  "contact", "worn",
+             "corroded", "rusted",      "rust",     "undercut",  "seat",   "relief",   "groove"});
+}
+
+/// A part of a drive with an inertia of its own, next to that of the machine.
+bool is_of_drive(std::string_view word) {
+  return has_word(word, {"gear", "gears", "gearbox", "coupling", "clutch", "brake", "pulley", "flywheel"});
 }
 
 bool is_gear(std::string_view word) {
-  return has_word(word, {"pinion", "wheel", "gear", "sprocket", "sun", "ring", "planet", "worm", "small", "large"});
+  return has_word(word, {"pinion", "wheel", "gear", "sprocket", "sun", "ring", "planet", "worm", "small", "large",
+                         "drive", "driving", "driven", "grooves"});
 }
 
 class SizesOfParts {
@@ -56,7 +63,7 @@ class SizesOfParts {
  private:
   /// Whether the name means this step: the state of a size, or the word of a part.
   [[nodiscard]] bool is_meant(const std::string& name, const Dimension& dimension) const {
-    const bool is_of_side = name.ends_with("_outer") || name.ends_with("_inner");
+    const bool is_of_side = name.ends_with("_outer") || name.ends_with("_inner") || name.ends_with("_small");
     const std::string part = is_of_side ? name.substr(0, name.rfind('_')) : name;
     const std::size_t end = part.rfind('_');
     const bool is_of_motor = name.ends_with("_pulley");  // which is a part of the drive
@@ -96,7 +103,10 @@ class SizesOfParts {
 
   [[nodiscard]] bool is_known(const std::string& name, double stated, const Dimension& dimension) const {
     const bool is_round = dimension == length && family_of(name) == "dDrR";
-    const bool is_heavy = dimension == mass || dimension == inertia;  // a heavier part is on the safe side
+    const std::string word = name.substr(name.rfind('_') + 1);
+    const bool is_of_other = dimension == inertia && is_of_drive(word) && !is_named(step_, word);
+    const bool is_heavy =
+        (dimension == mass || dimension == inertia) && !is_of_other;  // a heavier part is on the safe side
     bool found = false;
     for (const auto& step : project_.steps) {
       for_each_size(*step, dimension, [&](const FieldInfo& field, double si) {

@@ -66,6 +66,21 @@ TEST_SUITE("project: columns stated otherwise") {
     check(example_of("chain.roller"), {{values, ""}});
     check(example_of("column.effective_length"), {{values, ""}});
   }
+
+  TEST_CASE("the sign of a force that compresses by its name, and an eccentric link") {
+    const auto tension = [](const std::string& name, const std::string& sign, const std::string& more = "") {
+      const std::string rod = example_of("link.member", "N = \"=" + sign + "values." + name + "\"\n" + more);
+      return inputs_found(&project::bars_in_tension, "[values]\n" + name + " = \"9 kN\"\n\n" + rod);
+    };
+    CHECK(tension("N_c", "") == "N");
+    CHECK(tension("F_push", "") == "N");
+    CHECK(tension("N_c", "-").empty());
+    CHECK(tension("N_t", "").empty());
+    CHECK(tension("N_c", "", "n_st =\nmethod =").empty());
+    const std::string link = example_of("link.member", "N = \"-18 kN\"\nM_b = \"60 N*m\"");
+    check_values(&project::eccentric_links, link,
+                 {{"e_offset = \"10 mm\"", "M_b"}, {"e_offset = \"3 mm\"", ""}, {"e = 10", ""}});
+  }
 }
 
 TEST_SUITE("project: bounds of links") {

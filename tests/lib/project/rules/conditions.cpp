@@ -277,4 +277,16 @@ TEST_SUITE("project: conditions of service") {
     check(worm, {{"ambient = \"40 degC\"", ""}, {"T_oil = \"45 degC\"", ""}, {"ambient = \"20 degC\"", ""}});
     check(column, {{"ambient = \"60 degC\"", ""}});
   }
+
+  TEST_CASE("a fast flywheel, counted strokes, a seam and factors of loads by their words") {
+    const std::string wheel = example_of("machine.flywheel");  // 180 rpm
+    check(wheel, {{"n_fast = \"260 rpm\"", "omega"}, {"n_fast = \"150 rpm\"", ""}, {"n_fast = \"900 rpm\"", ""}});
+    check(lug, {{"N_strokes = 500000", "F"}, {"N_lifts = 2e6", "F"}, {"N_lifts = 100", ""}});
+    check(shell, {{"seam = 0.7", "z_l"}, {"seam = 1", ""}});
+    check(lug, {{"phi_crane = 1.25", "F"}, {"phi_min = 1", ""}, {"phi_crane = \"30 deg\"", ""}});
+    const std::string point = example_of("fatigue.combined");
+    check(point, {{"K_A = 1.5", "sigma_m"}, {"K_A_mill = 1.5", "sigma_m"}, {"K_A = 1", ""}});
+    check(point + shaft, {{"K_A = 1.5", ""}});  // a factor of the shaft
+    check(shell, {{"d_manway = \"500 mm\"", "p"}});
+  }
 }

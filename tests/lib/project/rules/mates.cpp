@@ -53,6 +53,12 @@ TEST_SUITE("project: mates stated otherwise") {
     check(example_of("drive.friction_wheels"), {{"b_wheel = \"50 mm\"", "b"}, {"b_wheel = \"80 mm\"", ""}});
     check(example_of("chain.roller"), {{"b_sprocket = \"10 mm\"", ""}});
   }
+
+  TEST_CASE("the shaft of a ring, a smaller pin in the hole") {
+    check(example_of("shaft.circlip"), {{"d_shaft = \"20 mm\"", "d_1"}, {"d_shaft = \"18 mm\"", ""}});
+    check(example_of("pin.lug"),
+          {{"d_bolt = \"36 mm\"", "d"}, {"d_shackle = \"36 mm\"", "d"}, {"d_hole = \"41 mm\"", ""}});
+  }
 }
 
 TEST_SUITE("project: requirements stated otherwise") {
@@ -83,6 +89,11 @@ TEST_SUITE("project: requirements stated otherwise") {
                          {"U = \"300 um\"", "U_max"},
                          {"U = 150", ""},
                          {"V = \"150 um\"", ""}});
+  }
+
+  TEST_CASE("the longest time of a run-up") {
+    check_required(example_of("machine.run_up", "t_adm = \"12 s\""),
+                   {{"t_start_max = \"1 s\"", "t_adm"}, {"t_start = \"1 s\"", ""}});
   }
 }
 

@@ -96,6 +96,62 @@ TEST_SUITE("project: symbols of [values]") {
     CHECK(found("140 mm").empty());  // m_n z_1 = 76 mm
     CHECK(found("480 mm") == "b");
   }
+
+  TEST_CASE("a rougher surface, a smaller housing, a hardness by its word") {
+    check_symbols(example_of("fatigue.din743"), {{"R_z_turned = \"25 um\"", "R_z"}, {"R_z_ground = \"4 um\"", ""}});
+    check_symbols(example_of("gear.worm"),
+                  {{"A_h_measured = \"0.15 m^2\"", "A_h"}, {"A_h_measured = \"0.3 m^2\"", ""}});
+    check_symbols(example_of("gear.rating"),
+                  {{"wheel_hardness = 280", "H_1"}, {"wheel_hardness = 720", ""}, {"core_hardness = 280", ""}});
+  }
+
+  TEST_CASE("characteristic actions, and a vertical action in the moment only") {
+    const std::string k = "G_k = \"120 kN\"\nQ_k = \"90 kN\"\n";
+    check_combined(column("=values.G_k + values.Q_k"), {{k, "P"}});
+    check_combined(column("=1.35*values.G_k + 1.5*values.Q_k"), {{k, ""}});
+    check_combined(column("=values.G + values.Q"), {{actions, ""}});
+    const auto beam = [](const std::string& P) {
+      return example_of("column.beam_column", "P = \"" + P + "\"\nM_y_1 = \"=(1.35*values.G + 1.5*values.Q)*(40 mm)\"");
+    };
+    check_combined(beam("=1.35*values.G"), {{actions, "P"}});
+    check_combined(beam("=1.35*values.G + 1.5*values.Q"), {{actions, ""}});
+    check_combined(beam("=1.35*values.G + 1.5*values.Q"),
+                   {{actions + "H_braking = \"8 kN\"", "P"}, {actions + "H = \"8 kN\"", ""}});
+  }
+
+  TEST_CASE("loads next to a cycle: a reversed one, bending, a hole, a larger one") {
+    const std::string loads = "F_max = \"80 kN\"\n";
+    check_combined(rod("0 MPa"), {{loads + "F_back = \"-40 kN\"", "sigma_max"},
+                                  {loads + "M_b = \"300 N*m\"", "sigma_max"},
+                                  {loads + "M_head = \"300 N*m\"", ""},
+                                  {loads + "d_hole = \"6 mm\"", "sigma_max"},
+                                  {loads + "F_abuse = \"90 kN\"", "sigma_max"},
+                                  {loads + "F_mean = \"40 kN\"", ""}});
+  }
+
+  TEST_CASE("the mass of an attachment next to the weight of another one") {
+    const std::string lug = example_of("pin.lug", "F = \"=values.m*9.81 m/s^2\"");
+    check_combined(lug, {{"m = \"900 kg\"\nm_block = \"90 kg\"", "F"}, {"m = \"900 kg\"\nm_frame = \"90 kg\"", ""}});
+  }
+
+  TEST_CASE("strengths of one material, and stresses of one part, in proportion") {
+    const auto check_ratings = [](const std::string& lines, const std::string& inputs) {
+      CHECK_MESSAGE(
+          inputs_found(&project::strengths_out_of_proportion, example_of("fatigue.combined", lines)) == inputs, lines);
+    };
+    check_ratings("R_m = \"690 MPa\"\nR_e = \"490 MPa\"", "");
+    check_ratings("R_m = \"690 MPa\"\nR_e = \"49 MPa\"", "R_m");
+    check_ratings("sigma_D = \"180 MPa\"\ntau_D = \"11 MPa\"", "sigma_D");
+    CHECK(inputs_found(&project::strengths_out_of_proportion,
+                       example_of("shaft.overhung", "sigma_adm = \"900 MPa\"\ntau_adm = \"50 MPa\"")) == "sigma_adm");
+  }
+
+  TEST_CASE("the strength of a part by its word, forces at the rim of a disc, an added eccentricity") {
+    const std::string key = example_of("shaft.key", "R_e_1 = \"370 MPa\"\nR_e_2 = \"300 MPa\"\nR_e_k = \"420 MPa\"");
+    check_symbols(
+        key, {{"R_e_key = \"350 MPa\"", "R_e_k"}, {"R_e_shaft = \"320 MPa\"", "R_e_1"}, {"R_e_key = \"420 MPa\"", ""}});
+    check_combined(example_of("machine.disc"), {{"m_blades = \"12 kg\"", "D"}, {"m_casing = \"12 kg\"", ""}});
+  }
 }
 
 TEST_SUITE("project: loads combined of [values]") {

@@ -50,4 +50,10 @@ TEST_SUITE("project: sizes of parts") {
     const std::string run = example_of("machine.run_up");  // J = 0.05 and 3.6 kg m^2
     check(run, {{"J_impeller = \"6 kg*m^2\"", "parts"}, {"J_impeller = \"3 kg*m^2\"", ""}});
   }
+
+  TEST_CASE("a relief, a driving sprocket, the inertia of another part of the drive") {
+    check(example_of("fatigue.din743"), {{"r_relief = \"0.4 mm\"", "r"}});  // r = 2.5 mm
+    check(example_of("chain.roller"), {{"z_drive = 13", "z_1"}, {"z_drive = 21", ""}});
+    check(example_of("machine.run_up"), {{"J_coupling = \"0.6 kg*m^2\"", "parts"}, {"J_fan = \"0.6 kg*m^2\"", ""}});
+  }
 }

@@ -42,8 +42,8 @@ bool is_of_bore(const std::string& name) {
 
 /// "d_core", "d_neck": the smallest diameter of a part.
 bool is_of_neck(const std::string& name) {
-  return begins_with_symbol(name, "dD") &&
-         has_word(name, {"core", "root", "neck", "groove", "thread", "undercut", "relief", "min"});
+  return begins_with_symbol(name, "dD") && has_word(name, {"core", "root", "neck", "groove", "thread", "undercut",
+                                                           "relief", "min", "worn", "rust", "corroded"});
 }
 
 /// The formula of a load: its number, and the powers of the diameters and the radii in it.
@@ -105,7 +105,8 @@ double usual_number(const Formula& formula, const FieldInfo& field) {
 /// A value of [values] that the load is, or a multiple of: own_names.cpp compares it.
 bool is_multiple_of_one(const Formula& formula, const FieldInfo& field) {
   const auto& powers = formula.product.powers;
-  return powers.size() == 1 && powers.front().dimension == field.dimension.without_angle();
+  return powers.size() == 1 && formula.product.rest.empty() &&
+         powers.front().dimension == field.dimension.without_angle();
 }
 
 /// The same, with an application factor: stated_loads.cpp compares it.
@@ -128,6 +129,7 @@ class Formulas {
 
   std::vector<ReducedLoad> run() {
     compare_hollow();
+    compare_wall();
     for (const Operand& operand : step_.input().reading.operands) {
       if (operand.expression.is_reference() || !loads_a_part(*operand.leaf.field, operand.path)) continue;
       compare_bore(operand);
@@ -247,6 +249,40 @@ class Formulas {
                      "of the bore, or justify it: {4} = \"...\"",
                      operand.path, format_number(share, 4), wall->name(), because_key(operand.path)));
     }
+  }
+
+  /// A typed pressure of a wall below that of [values] whose force on its bore another step takes.
+  void compare_wall() {
+    const auto typed = step_.input().reading.typed.find("p");
+    const double R = own_value(step_, project_, "R"), p = own_value(step_, project_, "p");
+    if (!id_of(step_).starts_with("vessel.") || typed == step_.input().reading.typed.end() || std::isnan(R)) return;
+    if (!typed->second.shared.empty()) return;
+    for (const auto& other : project_.steps) {
+      for (const Operand& operand : other->input().reading.operands) {
+        if (operand.leaf.field->dimension != a_force) continue;
+        const auto formula = formula_of(operand, project_);
+        const bool is_on_bore = formula && formula->diameters == 2 && has_size(*formula, 2.0 * R);
+        if (!is_on_bore || !(p < least_share * pressure_in(*formula))) continue;
+        return add("p",
+                   say("p is below the pressure that '{1}' takes on this bore, {2}: correct one of them, or justify "
+                       "it: because.p = \"...\"",
+                       other->name(), format_quantity(pressure_in(*formula), "MPa", 4)));
+      }
+    }
+  }
+
+  [[nodiscard]] bool has_size(const Formula& formula, double size) const {
+    return std::ranges::any_of(formula.product.powers, [&](const Product::Power& one) {
+      return one.dimension == a_length && is_near(value_of_file(project_, one.path)->si.front(), size, few_digits);
+    });
+  }
+
+  /// The pressure of [values] in a formula; NaN if it has none.
+  [[nodiscard]] double pressure_in(const Formula& formula) const {
+    for (const Product::Power& one : formula.product.powers) {
+      if (one.dimension == a_stress && one.exponent == 1) return value_of_file(project_, one.path)->si.front();
+    }
+    return std::nan("");
   }
 
   /// The force of the pressure of a wall on its bore, where the formula takes the same value as its pressure; else NaN.

@@ -124,7 +124,8 @@ bool is_quarter(std::string_view key, std::string_view name, double share) {
 /// "D" and "D_rotor", "D_a" and "D_outer": half of one is a radius. "d_1 = =values.d_2/2" is a ratio.
 bool is_same_symbol(std::string_view key, std::string_view name) {
   const bool is_outer = key.size() == 1 || key == "D_a" || key == "d_a";
-  return is_outer && name.size() > 2 && name[0] == key[0] && name[1] == '_';
+  const bool is_bore = key == "d_i" && has_word(name, {"bore", "inner"});
+  return (is_outer || is_bore) && name.size() > 2 && name[0] == key[0] && name[1] == '_';
 }
 
 /// A diameter or a radius that is a part of the value under its own name: "D = =values.D/2" is a radius.

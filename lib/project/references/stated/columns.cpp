@@ -46,7 +46,7 @@ bool takes_eccentricity(const Step& step) {
 /// "l_eff", "L_cr": a length with its effective length factor.
 bool is_effective_length(const std::string& name) {
   return has_word(name.substr(0, name.find('_')), {"l", "s"}) &&
-         has_only_words(name, {"l", "s", "0", "k", "eff", "cr", "e", "fl", "ky", "kz"}) && name.size() > 1;
+         has_only_words(name, {"l", "s", "0", "k", "eff", "cr", "e", "fl", "ky", "kz", "buckling"}) && name.size() > 1;
 }
 
 /// "L", "height": a length of the bar.

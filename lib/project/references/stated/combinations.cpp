@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -102,26 +103,45 @@ class Combinations {
     }
   }
 
-  /// The forces of [values] that an input is computed from.
-  [[nodiscard]] std::set<std::string> forces_of(const Operand& operand) const {
-    std::set<std::string> forces;
+  /// The values of [values] of a dimension that an input is computed from.
+  [[nodiscard]] std::set<std::string> values_of(const Operand& operand, const Dimension& dimension) const {
+    std::set<std::string> values;
     for (const auto& reference : operand.expression.references()) {
       const Value* const value = reference.path.starts_with("values.") ? project_.value(reference.path) : nullptr;
-      if (value != nullptr && value->signature.dimension == stated::force) forces.insert(reference.path);
+      if (value != nullptr && value->signature.dimension == dimension) values.insert(reference.path);
     }
-    return forces;
+    return values;
+  }
+
+  /// By how much an input of all parts grows with a value, 1.5 of Q in "=1.35*values.G + 1.5*values.Q".
+  [[nodiscard]] double factor_of(const Operand& operand, const std::string& path) const {
+    std::map<std::string, Value> values;
+    for (const auto& reference : operand.expression.references()) {
+      const Value* const value = project_.value(reference.path);
+      if (value == nullptr || value->is_series()) return std::nan("");
+      values[reference.path] = *value;
+    }
+    const auto known = [&](const std::string& name) -> const Value& { return values.at(name); };
+    const auto result = [&] { return operand.expression.evaluate(known).si.front(); };
+    const double one = result();
+    values.at(path).si.front() *= 2.0;
+    double count = 1.0;  // of the parts that share it
+    for (const auto& [name, value] : values)
+      count *= value.signature.dimension.is_number() ? std::fmax(1.0, std::floor(value.si.front())) : 1.0;
+    return count * (result() - one) / magnitude_at(project_, path);
   }
 
   /// "P = =values.G_k + values.Q_k" next to gamma_F = 1.
   void compare_characteristic(const Operand& operand) {
-    const std::set<std::string> forces = forces_of(operand);
+    const std::set<std::string> forces = values_of(operand, stated::force);
     const auto is_characteristic = [](const std::string& path) { return path.ends_with("_k"); };
     if (forces.empty() || !std::ranges::all_of(forces, is_characteristic) || !has_input("gamma_F")) return;
-    double sum = 0.0;
-    for (const std::string& path : forces) sum += std::abs(magnitude_at(project_, path));
     const double gamma_F = own_value(step_, project_, "gamma_F");
-    const double total = std::abs(own_value(step_, project_, operand.path)) * std::fmax(1.0, gamma_F);
-    if (!(total < least_partial * sum)) return;
+    const auto has_factor = [&](const std::string& path) {
+      const double factor = factor_of(operand, path) * std::fmax(1.0, gamma_F);
+      return !(factor >= 1.0 - stated::rounded && factor < least_partial);  // below, it is divided by a count
+    };
+    if (std::ranges::any_of(forces, has_factor)) return;
     add(operand.path,
         say("{1} is computed from characteristic values without partial factors, and gamma_F is {2}: give "
             "the factors, or justify it: {3} = \"...\"",
@@ -130,10 +150,10 @@ class Combinations {
 
   /// A vertical action in the moment of the eccentric forces of a column, and not among these forces.
   void compare_moments(const Operand& operand) {
-    const std::set<std::string> forces = forces_of(operand);
+    const std::set<std::string> forces = values_of(operand, stated::force);
     for (const Operand& other : step_.input().reading.operands) {
       if (!other.leaf.field->is_load || other.leaf.field->dimension != moment) continue;
-      const std::set<std::string> bending = forces_of(other);
+      const std::set<std::string> bending = values_of(other, stated::force);
       const bool is_shared = std::ranges::any_of(bending, [&](const auto& path) { return forces.contains(path); });
       for (const std::string& path : bending) {
         const std::string name = path.substr(path.find('.') + 1);
@@ -147,8 +167,8 @@ class Combinations {
 
   /// "m_blades" on a disc, whose forces at the rim are not assessed.
   void compare_rim(const std::string& name) {
-    const bool is_on_rim =
-        has_word(name, {"blade", "blades", "bucket", "buckets", "shells", "segments", "magnets", "hammers", "vanes"});
+    const bool is_on_rim = has_word(name, {"blade", "blades", "bucket", "buckets", "shells", "segments", "magnets",
+                                           "ring", "rings", "hammers", "vanes"});
     if (id_of(step_) == "machine.disc" && is_on_rim)
       add("D", say("values.{1} acts on no step, and forces at the rim are not assessed: assess them separately, "
                    "because.D = \"...\", or delete the value",
@@ -316,16 +336,14 @@ class Combinations {
     }
   }
 
-  /// The largest value of [values] of this dimension that a load of the step is computed from.
+  /// The largest sum of values of [values] of this dimension that a load of the step is computed from.
   [[nodiscard]] double largest_taken(const Dimension& dimension) const {
     double largest = 0.0;
     for (const Operand& operand : step_.input().reading.operands) {
       if (!operand.leaf.field->is_load) continue;
-      for (const auto& reference : operand.expression.references()) {
-        const Value* const value = reference.path.starts_with("values.") ? project_.value(reference.path) : nullptr;
-        if (value != nullptr && value->signature.dimension == dimension)
-          largest = std::fmax(largest, std::abs(magnitude_at(project_, reference.path)));
-      }
+      double sum = 0.0;
+      for (const std::string& path : values_of(operand, dimension)) sum += std::abs(magnitude_at(project_, path));
+      largest = std::fmax(largest, sum);
     }
     return largest;
   }
@@ -336,8 +354,9 @@ class Combinations {
   /// "p_relief" next to a force that is computed from "p_oil".
   void compare_peak(const std::string& name, double si, const Dimension& dimension) {
     const std::string symbol = "values." + name.substr(0, name.find('_') + 1);
-    const bool is_peak = is_of_peak(name) || has_word(name, {"relief", "test", "surge", "hammer"}) ||
-                         (dimension == stated::force && symbol == "values.F_" && is_word_behind(name));
+    const bool is_peak =
+        is_of_peak(name) || has_word(name, {"relief", "test", "surge", "hammer"}) ||
+        (dimension == stated::force && (symbol == "values.F_" || symbol == "values.N_") && is_word_behind(name));
     if (!is_peak || is_of_other_state(name) || !symbol.ends_with('_')) return;
     for (const Operand& operand : step_.input().reading.operands) {
       if (!operand.leaf.field->is_load || operand.leaf.field->dimension == dimension) continue;

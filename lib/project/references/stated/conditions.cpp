@@ -125,7 +125,8 @@ class Conditions {
                         (name == "f" && is_pin()) || (is_partial_of_load(name) && field("gamma_F") == nullptr) ||
                         name.starts_with("phi_") || is_unapplied_factor(name);
     const bool is_partial = name == "load_factor" && si <= (1.0 + in_few_digits) * own("gamma_F");
-    if (!is_one || !(si > 1.0 + in_few_digits && si <= most) || own("K_A") > 1.0 || is_partial) return;
+    const double covered = name.starts_with("phi_") ? si - in_few_digits : 1.0;  // by the application factor
+    if (!is_one || !(si > 1.0 + in_few_digits && si <= most) || own("K_A") > covered || is_partial) return;
     const std::string key = typed_load();
     if (key.empty()) return;
     add(key, say("values.{1} = {2} acts on no step: refer to it, delete it, or justify it: because.{3} = \"...\"", name,
@@ -299,7 +300,7 @@ class Conditions {
         std::ranges::any_of(project_.steps, [&](const auto& one) { return own_value(*one, project_, "h_l") > 0.0; });
     const double h_l = own("h_l");
     const bool is_of_liquid =
-        has_word(name, {"level", "fill", "filling", "liquid"}) || has_only_words(name, {"h", "max"});
+        has_word(name, {"level", "fill", "filling", "full", "liquid"}) || has_only_words(name, {"h", "max"});
     const bool is_higher = is_of_liquid && name != "h" && name != "H" && si > (1.0 + in_few_digits) * h_l;
     if (is_higher)
       add("h_l", say("values.{1} = {2} acts on no step, and h_l is {3}: refer to it, delete it, or justify it: "

@@ -74,11 +74,13 @@ class SizesOfParts {
     if (dimension == length && family == "bB") return is_of_state(word) || is_toothed;  // of pulleys: mates.hpp
     if (dimension == inertia && id_of(step_).starts_with("machine.")) return family == "J";
     // masses and sizes of mounted components are those of rows, or of other steps
-    const bool is_of_rows = id_of(step_) == "shaft.design" || id_of(step_) == "mechanism.planar" || connects(step_);
+    const bool is_of_rows = id_of(step_) == "shaft.design" || id_of(step_) == "mechanism.planar" ||
+                            id_of(step_) == "bearing.rolling" || connects(step_);
+    const bool is_way = family == "lL" && (id_of(step_).starts_with("belt.") || id_of(step_).starts_with("chain."));
     const bool is_pulley = family == "dDrR" && has_word(word, {"pulley", "sprocket", "sheave"}) &&
                            (id_of(step_).starts_with("belt.") || id_of(step_).starts_with("chain."));
     return (dimension == length && (is_of_state(word) || is_pulley)) ||
-           (word.size() > 2 && !is_of_rows && is_named(step_, word));
+           (word.size() > 2 && !is_of_rows && !is_way && is_named(step_, word));
   }
 
   /// Inputs and results of a step under symbols of this family.

@@ -152,4 +152,14 @@ TEST_SUITE("project: parts of formulas") {
     CHECK(found(arm, cycle(sigma)).empty());
     CHECK(found(arm, cycle(sigma + "/2")) == "sigma_max");
   }
+
+  TEST_CASE("a typed pressure below that whose force acts on the bore") {
+    const std::string rod = "\n" + column("=values.p*pi*values.D^2/4");
+    const auto wall = [&](const std::string& p) {
+      return found(oil, example_of("vessel.thick", "p = \"" + p + "\"\nR = \"40 mm\"\nmeasured = \"inner\"") + rod);
+    };
+    CHECK(wall("1 MPa") == "p");
+    CHECK(wall("10 MPa").empty());
+    CHECK(wall("=values.p").empty());
+  }
 }

@@ -110,6 +110,8 @@ TEST_SUITE("project: symbols of [values]") {
     check_combined(column("=values.G_k + values.Q_k"), {{k, "P"}});
     check_combined(column("=1.35*values.G_k + 1.5*values.Q_k"), {{k, ""}});
     check_combined(column("=values.G + values.Q"), {{actions, ""}});
+    check_combined(column("=(1.35*values.G_k + 1.5*values.Q_k)/values.n"), {{k + "n = 2\n", ""}});
+    check_combined(column("=(values.G_k + values.Q_k)/values.n"), {{k + "n = 2\n", "P"}});
     const auto beam = [](const std::string& P) {
       return example_of("column.beam_column", "P = \"" + P + "\"\nM_y_1 = \"=(1.35*values.G + 1.5*values.Q)*(40 mm)\"");
     };

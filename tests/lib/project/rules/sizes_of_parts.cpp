@@ -56,4 +56,9 @@ TEST_SUITE("project: sizes of parts") {
     check(example_of("chain.roller"), {{"z_drive = 13", "z_1"}, {"z_drive = 21", ""}});
     check(example_of("machine.run_up"), {{"J_coupling = \"0.6 kg*m^2\"", "parts"}, {"J_fan = \"0.6 kg*m^2\"", ""}});
   }
+
+  TEST_CASE("the wheel on a bearing, the way of a chain") {
+    check(example_of("bearing.rolling", "title = \"Wheel bearing\""), {{"D_wheel = \"200 mm\"", ""}});
+    check(example_of("chain.roller", "title = \"Chain of a conveyor\""), {{"L_conveyor = \"8 m\"", ""}});
+  }
 }

@@ -128,9 +128,9 @@ class Judge:
         with self.lock:
             order = sorted(self.times, key=lambda suite: self.cost(suite, path))
         for suite in order:
-            seconds += self.times[suite]
-            if seconds > self.patience:
+            if seconds + self.times[suite] > self.patience:
                 continue
+            seconds += self.times[suite]
             if not ran(command_of(self.program.file, suite), environment, 5 + 5 * self.times[suite])[0]:
                 with self.lock:
                     self.noticed[suite, path] += 1
@@ -147,9 +147,12 @@ def judged_at_once(o, paths):
     judge = Judge(program, o.patience, o.jobs)
     numbers = sorted(program.mutants)
     chosen = random.sample(numbers, min(o.count, len(numbers)))
-    with ThreadPoolExecutor(o.jobs) as pool:
+    pool = ThreadPoolExecutor(o.jobs)
+    try:
         for number, verdict in zip(chosen, pool.map(judge.verdict_of, chosen)):
             yield program.mutants[number], verdict
+    finally:
+        pool.shutdown(cancel_futures=True)  # where the time is over
 
 
 # --- the run ----------------------------------------------------------------------------------------------------------
@@ -178,13 +181,15 @@ def main():
     random.seed(o.seed)
     print(f'seed {o.seed}', flush=True)
     begun, by_source = time.monotonic(), collections.defaultdict(collections.Counter)
-    for site, verdict in (judged_at_once if o.rules else judged_by_builds)(o, paths):
+    verdicts = (judged_at_once if o.rules else judged_by_builds)(o, paths)
+    for site, verdict in verdicts:
         print(f'{verdict}: {site.described(site.path.read_text())}', flush=True)
         by_source[site.path.as_posix()][verdict.split(' by ')[0]] += 1
         if time.monotonic() - begun > o.seconds:
             break
+    verdicts.close()
     all_ = sum(by_source.values(), collections.Counter())
-    for source, counts in sorted({**by_source, 'all': all_}.items() if len(by_source) > 1 else by_source.items()):
+    for source, counts in [*sorted(by_source.items()), ('all', all_)]:
         print(f"{source}: {counts['killed']} of {counts['killed'] + counts['SURVIVED']} mutants killed")
     share = 100 * all_['killed'] / max(all_['killed'] + all_['SURVIVED'], 1)
     print(f'{share:.1f} % killed; {time.monotonic() - begun:.0f} s')

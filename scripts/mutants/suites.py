@@ -21,9 +21,10 @@ class Suites:
                 self.folders.setdefault(name, set()).add(path.parent.parts[1:])
 
     def nearness(self, suite, path):
-        """How many folders lead to both the suite and the source."""
-        return max(sum(1 for _ in itertools.takewhile(lambda pair: pair[0] == pair[1], zip(folder, path.parts)))
-                   for folder in self.folders[suite])
+        """How many folders lead to both the suite and the source; more if the suite has the name of the source."""
+        shared = max(sum(1 for _ in itertools.takewhile(lambda pair: pair[0] == pair[1], zip(folder, path.parts)))
+                     for folder in self.folders[suite])
+        return shared + 2 * (path.stem in suite)
 
 
 def command_of(program, suite):

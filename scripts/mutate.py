@@ -143,7 +143,8 @@ def judged_at_once(o, paths):
     if not builds(o.build):
         sys.exit(f'error: {o.build} does not build')
     program = Program(o.build, paths, o.jobs)
-    print(f'{len(program.mutants)} mutants of {len(paths)} sources', flush=True)
+    count = len(program.mutants)
+    print(f'{count} mutants of {len(paths)} sources; {program.places - count} more do not compile', flush=True)
     judge = Judge(program, o.patience, o.jobs)
     numbers = sorted(program.mutants)
     chosen = random.sample(numbers, min(o.count, len(numbers)))

@@ -21,6 +21,7 @@ class Program:
         sites = [site for path, text in texts.items() for site in dict.fromkeys(places.rule_sites(path, text))]
         self.sources = {path: text for path, text in texts.items() if any(site.path == path for site in sites)}
         self.mutants = dict(enumerate(sites, 1))
+        self.places = len(sites)
         self.file = self.folder / 'loadpath_tests'
         self.compile_all(jobs)
 

@@ -154,6 +154,8 @@ TEST_SUITE("found kinds of stress") {
     refuses_stress(twisted_bar + cycle_of_it + "sigma_max = \"=1.1*s.cycle.sigma_max\"\n",
                    "is a normal stress, but this expression is a shear stress");
     takes_stress(twisted_bar + cycle_of_it + "stress = \"shear\"\nsigma_max = \"=1.1*s.cycle.sigma_max\"\n");
+    takes_stress("[n]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"80 MPa\"\nr = -1\n" + cycle_of_it +
+                 "sigma_max = \"=1.1*n.cycle.sigma_max\"\n");
     for (const char* const source : {"zz.stress", "c.stress", "s.stress"})  // of no step, of itself, of one without it
       CHECK(!stress_errors(twisted_bar + cycle_of_it + "sigma_max = \"=1.1*s.tau_max\"\nstress = \"=" + source + "\"\n")
                  .empty());

@@ -3,6 +3,7 @@
 #include "lib/formula/formula.hpp"
 #include "lib/quantity/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -55,7 +56,9 @@ bool is_speed(std::string_view unit) { return unit == "rpm" || unit == "rad/s"; 
 /// The unit in which the speeds of a formula are printed, so that it comes out as printed; empty: each in its own.
 /// A formula that gives the same value with revolutions as with radians, a ratio or a multiple of speeds, keeps rpm;
 /// another one is of angular velocities: P/n, n d/2, L_h n/(2 pi).
-std::string unit_of_speeds(const formula::Node& tree, const Line& line, const Names& names, const std::string& unit) {
+std::string unit_of_speeds(const formula::Node& tree, const Line& line, const Names& names, const std::string& unit,
+                           const std::vector<account::Step::Given>& given) {
+  if (std::ranges::none_of(given, [](const auto& known) { return known.unit == "rpm"; })) return {};
   constexpr double revolution = 2.0 * std::numbers::pi;
   bool any_rpm = false;
   const auto value_with = [&](double divisor) {
@@ -78,15 +81,17 @@ account::Step step_of(const Line& line, const Names& names, const std::string& u
   step.symbol = line.symbol;
   step.value = {line.si, unit};
   step.why = say(line.why);
-  const auto tree = formula::parse(line.formula);
-  if (tree && says_nothing(*tree, line, names)) return step;
-  step.formula = formula::shown(line.formula);
-  const std::string of_speeds = tree ? unit_of_speeds(*tree, line, names, unit) : "";
-  for (const std::string& name : tree ? formula::names(*tree) : std::vector<std::string>{}) {
+  const Names::Formula& formula = names.formula_of(line);
+  if (formula.tree && says_nothing(*formula.tree, line, names)) return step;
+  step.formula = formula.shown;
+  for (const std::string& name : formula.names) {
     const auto known = names.find(line.scope, name);
-    if (!known) continue;
-    const bool is_converted = !of_speeds.empty() && is_speed(known->unit);
-    step.given.push_back({std::string(formula::symbol_of(name)), known->si, is_converted ? of_speeds : known->unit});
+    if (known) step.given.push_back({std::string(formula::symbol_of(name)), known->si, known->unit});
+  }
+  if (!formula.tree) return step;
+  const std::string of_speeds = unit_of_speeds(*formula.tree, line, names, unit, step.given);
+  for (account::Step::Given& known : step.given) {
+    if (!of_speeds.empty() && is_speed(known.unit)) known.unit = of_speeds;
   }
   return step;
 }
@@ -152,7 +157,7 @@ std::string Names::unit_of(const Line& line) const {
 /// In C++ an angle is a plain number; its formula identifies it.
 bool Names::is_angle(const Line& line) const {
   if (!line.dimension.is_number()) return false;
-  const auto tree = formula::parse(line.formula);
+  const auto& tree = formula_of(line).tree;
   return tree && formula::is_angle(*tree, [&](std::string_view name) {
            const auto known = find(line.scope, name);
            return known && known->unit == "deg";
@@ -163,15 +168,24 @@ bool Names::is_angle(const Line& line) const {
 /// them: "rpm", "rad/s".
 std::string Names::unit_of_speed(const Line& line) const {
   if (line.dimension != Dimension::of(0, 0, -1)) return {};
-  const auto tree = formula::parse(line.formula);
   std::string unit;
-  for (const std::string& name : tree ? formula::names(*tree) : std::vector<std::string>{}) {
+  for (const std::string& name : formula_of(line).names) {
     const auto known = find(line.scope, name);
     if (!known || known->unit == "-" || known->unit == "deg") continue;
     if (known->unit != "rpm" && known->unit != "rad/s") return {};
     if (unit.empty()) unit = known->unit;
   }
   return unit;
+}
+
+const Names::Formula& Names::formula_of(const Line& line) const {
+  const auto [found, is_new] = formulas_.try_emplace(line.formula);
+  Formula& formula = found->second;
+  if (!is_new) return formula;
+  formula.tree = formula::parse(line.formula);
+  if (formula.tree) formula.names = formula::names(*formula.tree);
+  formula.shown = formula::shown(line.formula);
+  return formula;
 }
 
 void Names::add(const Line& line, const std::string& unit) {

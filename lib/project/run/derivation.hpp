@@ -1,7 +1,15 @@
 // From the lines of a trace to the lines of a report: every name of a formula with its value and unit.
 #pragma once
 
+#include "lib/formula/tree.hpp"
 #include "lib/project/step.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
 
 namespace loadpath::project {
 
@@ -24,6 +32,14 @@ class Names {
   [[nodiscard]] std::string unit_of(const Line& line) const;
   void add(const Line& line, const std::string& unit);
 
+  /// A formula read once: elements of lists have the same.
+  struct Formula {
+    std::optional<formula::Node> tree;
+    std::vector<std::string> names;  // of the tree
+    std::string shown;
+  };
+  [[nodiscard]] const Formula& formula_of(const Line& line) const;
+
  private:
   [[nodiscard]] bool is_angle(const Line& line) const;
   [[nodiscard]] std::string unit_of_speed(const Line& line) const;
@@ -36,6 +52,7 @@ class Names {
   const Record& input_;
   const Record& result_;
   std::map<std::string, Known> lines_;  // by scope and symbol
+  mutable std::unordered_map<std::string_view, Formula> formulas_;
 };
 
 }  // namespace loadpath::project

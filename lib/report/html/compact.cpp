@@ -1,7 +1,5 @@
 #include "lib/report/html/compact.hpp"
 
-#include "lib/report/html/used_rules.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -27,17 +25,16 @@ View name_of_tag(View text) {
 /// Whether the parser ends the element without this tag, since what follows cannot be in it. Cells, rows and items are
 /// followed only by their like or the end of their parent.
 bool is_implied(View tag, View following) {
-  constexpr std::array<View, 8> always{"/td", "/th", "/tr", "/thead", "/tbody", "/li", "/dt", "/dd"};
   constexpr std::array<View, 14> end_a_paragraph{"p",   "div",      "/div",    "section", "/section", "figure", "h2",
                                                  "pre", "/details", "details", "h3",      "ul",       "li",     "/li"};
-  const View next = name_of_tag(following);
-  if (next.empty()) return false;
-  return tag == "/p" ? is_one_of(next, end_a_paragraph) : is_one_of(tag, always);
+  return tag == "/p" ? is_one_of(name_of_tag(following), end_a_paragraph) : following.starts_with('<');
 }
 
 /// Whether such a tag may be left out at all: most end formulas, subscripts and the like.
 bool may_be_implied(View tag) {
-  return tag.size() > 1 && (tag[1] == 't' || tag[1] == 'p' || tag[1] == 'l' || tag[1] == 'd');
+  constexpr std::array<View, 9> all{"/td", "/p", "/li", "/tr", "/th", "/dt", "/dd", "/thead", "/tbody"};
+  const bool may_be = tag.size() > 1 && (tag[1] == 't' || tag[1] == 'p' || tag[1] == 'l' || tag[1] == 'd');
+  return may_be && is_one_of(tag, all);
 }
 
 View without_blanks(View text) {
@@ -54,7 +51,7 @@ bool needs_no_quotes(View value, View next) {
 /// The end of an element whose content is not markup; 0 for other elements.
 std::size_t end_of_verbatim(View page, View name) {
   constexpr std::array<View, 3> verbatim{"script", "style", "pre"};
-  if (name.size() < 3 || !is_one_of(name, verbatim)) return 0;
+  if (name.size() < 3 || (name[0] != 's' && name[0] != 'p') || !is_one_of(name, verbatim)) return 0;
   const std::size_t end = page.find("</" + std::string(name) + ">");
   return end == View::npos ? page.size() : end;
 }
@@ -92,12 +89,7 @@ class Shortening {
     const View tag = page_.substr(begin, end - begin), name = name_of_tag(tag);
     if (begin + 1 + name.size() + 1 < end) attributes(begin, end);
     const std::size_t verbatim = end_of_verbatim(page_.substr(begin), name);
-    if (verbatim == 0) return end;
-    if (name == "style") {
-      leave_out(end, begin + verbatim);
-      out_ += used_rules(page_.substr(end, begin + verbatim - end), page_);
-    }
-    return begin + verbatim;
+    return verbatim == 0 ? end : begin + verbatim;
   }
   /// Classes without a name and the name space of SVG, which a page has anyway, are left out, and quotation marks.
   void attributes(std::size_t begin, std::size_t end) {

@@ -244,7 +244,7 @@ std::string html(const Document& document, Folding folding) {
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>";
-  out.append(escaped(document.title)).append("</title>\n<style>\n").append(style);
+  out.append(escaped(document.title)).append("</title>\n<style>").append(style);
   out.append("</style>\n</head>\n<body>\n<main>\n").append(page).append("</main>\n").append(script);
   return out.append("</body>\n</html>\n");
 }

@@ -2,6 +2,7 @@
 
 #include "lib/report/html/base64.hpp"
 #include "lib/report/html/html.hpp"
+#include "lib/report/html/used_rules.hpp"
 #include "lib/text/embedded.hpp"
 
 #include <cstdint>
@@ -39,7 +40,7 @@ std::string page_rules(const Running& running, std::string_view paper) {
 
 std::string font(const char* family, const char* file, const char* more) {
   return std::string("@font-face{font-family:\"") + family + "\";src:url(data:font/woff2;base64," +
-         base64(embedded::asset(file)) + ") format(\"woff2\")" + more + "}\n";
+         base64(embedded::asset(file)) + ") format(\"woff2\")" + more + "}";
 }
 
 /// Letters of scripts/subset-sans.sh, `more`: accents of Latin but for German ones, Cyrillic.
@@ -88,8 +89,8 @@ std::string fonts(bool with_rare_letters) {
 
 std::string style(const Running& running, std::string_view paper, std::string_view page) {
   const bool with_rare_letters = has_rare_letters(page) || has_rare_letters(running.title);
-  return fonts(with_rare_letters) + draw::style_sheet() + "\n" + std::string(embedded::asset("report.css")) +
-         page_rules(running, paper);
+  const std::string sheet = draw::style_sheet() + "\n" + std::string(embedded::asset("report.css"));
+  return fonts(with_rare_letters) + used_rules(sheet, page) + page_rules(running, paper);
 }
 
 }  // namespace loadpath::report::page

@@ -101,7 +101,8 @@ void keep_what_fits(std::vector<Input>& inputs, bool several, double height) {
 std::vector<Cell> row_of(const Input& input, bool several) {
   const Entry& entry = *input.entry;
   const std::string_view symbol = named_symbol(entry.path).symbol;
-  return {name_of(input, several), is_word(symbol) ? Cell(std::string()) : Cell(Symbol{std::string(symbol)}),
+  const bool is_quantity = entry.word.empty() && !is_word(symbol);  // "at", of a point, is no symbol
+  return {name_of(input, several), is_quantity ? Cell(Symbol{std::string(symbol)}) : Cell(std::string()),
           short_value(entry), short_origin(entry)};
 }
 

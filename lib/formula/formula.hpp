@@ -21,7 +21,8 @@ std::string symbol_plain(std::string_view name);  // τ_adm
 std::string html(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
 std::string tex(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
 std::string plain(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
-/// The right side of an equation, "= a", " + b": the terms of the outermost sum, between which a long formula may break.
+/// The right side of an equation, "= a", " + b": the terms of the outermost sum, between which a long formula may
+/// break.
 std::vector<std::string> equation_html(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
 std::string equation_html(const Written& value);
 /// How many these terms are, and about how many letters wide the widest is set; none of them is written.

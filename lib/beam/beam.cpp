@@ -8,7 +8,6 @@ namespace loadpath::beam {
 
 namespace {
 
-using Unknowns = boost::container::static_vector<double, 2 * most_nodes>;
 using Stiffness = std::array<std::array<double, 4>, 4>;
 
 /// Forces and couples on the two ends of a span per displacement and slope of them: a couple where the ends turn
@@ -90,38 +89,62 @@ bool Beam::is_held(std::size_t node) const {
                      [&](const Support& support) { return support.node == node && !(support.k < rigid); });
 }
 
-void Beam::displace(std::span<double> unknowns) const {
+void Beam::hold(std::span<double> unknowns) const {
   for (const Support& support : supports_) {
     if (!(support.k < rigid)) unknowns[2 * support.node] = 0.0;
   }
+}
+
+void Beam::displace(std::span<double> unknowns) const {
+  hold(unknowns);
   factors_.solve(unknowns);
 }
 
-LoadedBeam Beam::bend(std::span<const Load> loads, std::span<const OfEnds> along) const {
-  Row<double> forces(nodes());
+Beam::Unknowns Beam::pushed_by(const Loading& loading) const {
   Unknowns u(2 * nodes());
-  for (const Load& load : loads) {
+  for (const Load& load : loading.loads) {
     u[2 * load.node] += load.F;
     u[2 * load.node + 1] += load.M;
-    forces[load.node] += load.F;
   }
-  for (std::size_t s = 0; s < along.size(); ++s) {
-    for (std::size_t i = 0; i < 4; ++i) u[2 * s + i] += along[s][i];
+  for (std::size_t s = 0; s < loading.along.size(); ++s) {
+    for (std::size_t i = 0; i < 4; ++i) u[2 * s + i] += loading.along[s][i];
   }
-  displace(u);
-  LoadedBeam bent;
+  hold(u);
+  return u;
+}
+
+void Beam::fill(const Loading& loading, const Unknowns& u, LoadedBeam& bent) const {
   bent.nodes.resize(nodes());
   for (std::size_t n = 0; n < nodes(); ++n) bent.nodes[n] = {u[2 * n], u[2 * n + 1]};
   bent.spans.resize(spans_.size());
   constexpr OfEnds none{};
-  for (std::size_t s = 0; s < spans_.size(); ++s) bent.spans[s] = ends_of(s, u, s < along.size() ? along[s] : none);
+  for (std::size_t s = 0; s < spans_.size(); ++s)
+    bent.spans[s] = ends_of(s, u, s < loading.along.size() ? loading.along[s] : none);
+  bent.reactions.clear();
   for (const Support& support : supports_) {
     const double right = support.node < spans_.size() ? bent.spans[support.node].left.V : 0.0;
     const double left = support.node > 0 ? bent.spans[support.node - 1].right.V : 0.0;
-    bent.reactions.push_back(right - left - forces[support.node]);
+    double force = 0.0;  // at the node
+    for (const Load& load : loading.loads) force += load.node == support.node ? load.F : 0.0;
+    bent.reactions.push_back(right - left - force);
   }
   clean(bent);
+}
+
+LoadedBeam Beam::bend(std::span<const Load> loads, std::span<const OfEnds> along) const {
+  const Loading loading{loads, along};
+  Unknowns u = pushed_by(loading);
+  factors_.solve(u);
+  LoadedBeam bent;
+  fill(loading, u, bent);
   return bent;
+}
+
+void Beam::bend(const Loading& in_x, const Loading& in_y, LoadedBeam& x, LoadedBeam& y) const {
+  Unknowns u = pushed_by(in_x), v = pushed_by(in_y);
+  factors_.solve_all(std::array<std::span<double>, 2>{u, v});
+  fill(in_x, u, x);
+  fill(in_y, v, y);
 }
 
 Row<double> Beam::flexibilities() const {

@@ -59,6 +59,12 @@ struct Load {
   double F = 0.0, M = 0.0;
 };
 
+/// The loads at nodes, and the end forces of the load along each span; empty: there is none.
+struct Loading {
+  std::span<const Load> loads;
+  std::span<const OfEnds> along = {};
+};
+
 struct Node {
   double v = 0.0;
   double slope = 0.0;  // rotation of the cross section
@@ -88,6 +94,8 @@ class Beam {
   /// Deflection under forces and couples at nodes, and end forces of the load along each span; `along` empty: there
   /// is none.
   [[nodiscard]] LoadedBeam bend(std::span<const Load> loads, std::span<const OfEnds> along = {}) const;
+  /// The same in two planes at once.
+  void bend(const Loading& in_x, const Loading& in_y, LoadedBeam& x, LoadedBeam& y) const;
 
   /// Replaces forces and couples at each node by its displacement and slope.
   void displace(std::span<double> unknowns) const;
@@ -110,6 +118,12 @@ class Beam {
   /// The stiffness, less the masses times the square of a frequency.
   [[nodiscard]] Matrix assembled(std::span<const double> masses = {}, double square = 0.0) const;
   [[nodiscard]] Ends ends_of(std::size_t span, std::span<const double> u, const OfEnds& along) const;
+  using Unknowns = boost::container::static_vector<double, 2 * most_nodes>;
+  /// Nothing acts where a node cannot move.
+  void hold(std::span<double> unknowns) const;
+  [[nodiscard]] Unknowns pushed_by(const Loading& loading) const;
+  /// The beam with these displacements and slopes.
+  void fill(const Loading& loading, const Unknowns& u, LoadedBeam& bent) const;
 
   Row<Span> spans_;
   OfSupports<Support> supports_;

@@ -77,20 +77,31 @@ class BandMatrix {
   }
 
   /// Replaces the right-hand side by the solution, after `factor`.
-  void solve(std::span<double> x) const {
-    double x1 = 0.0, x2 = 0.0, x3 = 0.0;  // the unknowns before, from the nearest on
+  void solve(std::span<double> x) const { solve_all(std::array{x}); }
+
+  /// Replaces several right-hand sides by their solutions: each unknown waits for the one before, so that two take
+  /// hardly longer than one.
+  template <std::size_t count>
+  void solve_all(const std::array<std::span<double>, count>& all) const {
+    using OfEach = std::array<double, count>;
+    OfEach x1{}, x2{}, x3{};  // the unknowns before, from the nearest on
     for (std::size_t i = 0; i < size(); ++i) {
       const Row& row = rows_[i];
-      const double next = x[i] - row[0] * x3 - row[1] * x2 - row[2] * x1;
-      x[i] = next;
-      x3 = x2, x2 = x1, x1 = next;
+      for (std::size_t k = 0; k < count; ++k) {
+        const double next = all[k][i] - row[0] * x3[k] - row[1] * x2[k] - row[2] * x1[k];
+        all[k][i] = next;
+        x3[k] = x2[k], x2[k] = x1[k], x1[k] = next;
+      }
     }
-    x1 = x2 = x3 = 0.0;
+    x1 = x2 = x3 = OfEach{};
     const auto below = [&](std::size_t i, std::size_t k) { return i + k < size() ? rows_[i + k][reach - k] : 0.0; };
     for (std::size_t i = size(); i-- > 0;) {
-      const double next = x[i] / rows_[i][reach] - below(i, 3) * x3 - below(i, 2) * x2 - below(i, 1) * x1;
-      x[i] = next;
-      x3 = x2, x2 = x1, x1 = next;
+      const double pivot = rows_[i][reach], b1 = below(i, 1), b2 = below(i, 2), b3 = below(i, 3);
+      for (std::size_t k = 0; k < count; ++k) {
+        const double next = all[k][i] / pivot - b3 * x3[k] - b2 * x2[k] - b1 * x1[k];
+        all[k][i] = next;
+        x3[k] = x2[k], x2[k] = x1[k], x1[k] = next;
+      }
     }
   }
 

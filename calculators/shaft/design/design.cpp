@@ -60,10 +60,11 @@ class Movement {
     }
   }
 
-  void take(const Loaded& loaded, std::size_t position) {
+  /// `most`: the largest bending moment, N m.
+  void take(const Loaded& loaded, std::size_t position, double most) {
     carry(loaded, share_of(in_, position));
     seat(loaded, position);
-    extremes(loaded);
+    extremes(loaded, most);
   }
 
   /// Behind the last position.
@@ -113,11 +114,11 @@ class Movement {
   }
 
   /// Maxima over all sections.
-  void extremes(const Loaded& loaded) {
+  void extremes(const Loaded& loaded, double M) {
     double T = 0.0;
     for (const double there : loaded.T) T = std::max(T, std::abs(there));
     const auto [least, most] = std::minmax_element(loaded.phi.begin(), loaded.phi.end());
-    r_.M_max = max(r_.M_max, from_si<Moment>(loaded.largest_moment())), r_.T_max = max(r_.T_max, from_si<Moment>(T));
+    r_.M_max = max(r_.M_max, from_si<Moment>(M)), r_.T_max = max(r_.T_max, from_si<Moment>(T));
     r_.v_max = max(r_.v_max, from_si<Length>(loaded.largest_deflection()));
     const Twist theta = from_si<Twist>(loaded.twist);
     if (theta > r_.theta_max)
@@ -210,8 +211,9 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   Turn turn(in, elastic->stations.x.size());
   for (std::size_t i = 0; i < turn.positions(); ++i) {
     const Loaded loaded = loaded_at(in, *elastic, i);
-    movement.take(loaded, i);
-    turn.take(loaded);
+    const double M = loaded.largest_moment();
+    movement.take(loaded, i, M);
+    turn.take(loaded, M);
   }
   movement.finish();
   r.psi = turn.psi(turn.most_bent());

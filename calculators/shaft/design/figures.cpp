@@ -145,7 +145,10 @@ std::vector<figure::Shaft::Place> governing(const Design::Result& r) {
 
 Turn turn_of(const Design::Input& in, const Elastic& elastic) {
   Turn turn(in, elastic.stations.x.size());
-  for (std::size_t i = 0; i < turn.positions(); ++i) turn.take(loaded_at(in, elastic, i));
+  for (std::size_t i = 0; i < turn.positions(); ++i) {
+    const Loaded loaded = loaded_at(in, elastic, i);
+    turn.take(loaded, loaded.largest_moment());
+  }
   return turn;
 }
 

@@ -107,7 +107,7 @@ CriticalPlaces weakest_of_tapers(const Input& in) {
       scan.raise(yield[i], i, [](const Section& p) { return in_si(p.sigma_v); });
       if (tires && !turn.varies()) scan.raise(fatigue[i], i, [&](const Section& p) { return tired(in, p, {}); });
     }
-    turn.take(loaded);
+    turn.take(loaded, loaded.largest_moment());
   }
   if (tires && turn.varies()) raise_over_turn(in, stations, turn, fatigue);
   constexpr double one = 1e-4;  // share of a taper: both are then one place

@@ -65,25 +65,30 @@ double mass_on(const Seat& seat) { return is_set(seat.mass) ? in_si(seat.mass) :
 
 enum class Plane { X, Y };
 
-/// One of two planes: what of each load lies in it.
-beam::LoadedBeam bent(const Input& in, const Elastic& elastic, Plane plane, std::size_t position) {
+/// What of each load lies in one of two planes.
+struct InPlane {
+  List<beam::Load, most_seats> loads;
+  beam::Row<beam::OfEnds> weight;
+  [[nodiscard]] beam::Loading loading() const { return {loads, weight}; }
+};
+
+InPlane in_plane(const Input& in, const Elastic& elastic, Plane plane, std::size_t position) {
   const Stations& stations = elastic.stations;
   const Direction down(is_set(in.g_angle) ? in.g_angle : 0.0);
   const double gravity = !is_set(in.g_angle) ? 0.0 : standard_gravity * (plane == Plane::X ? down.c : down.s);
-  List<beam::Load, most_seats> loads;
+  InPlane acts;
   for (const Seat& seat : in.seats) {
     const Direction way(seat.angle);
     const double along = plane == Plane::X ? way.c : way.s, across = plane == Plane::X ? -way.s : way.c;
     const double F_x = in_si(seat.F_x.at(position)), F_y = in_si(seat.F_y.at(position));
     const double F = in.K_A * (F_x * along + F_y * across) + mass_on(seat) * gravity;
-    loads.push_back({stations.at(seat.x), F, -in.K_A * in_si(seat.F_z.at(position)) * in_si(seat.x_w) * along});
+    acts.loads.push_back({stations.at(seat.x), F, -in.K_A * in_si(seat.F_z.at(position)) * in_si(seat.x_w) * along});
   }
-  beam::Row<beam::OfEnds> weight;
   for (std::size_t i = 0; is_set(in.g_angle) && i < elastic.stretches.size(); ++i) {
-    weight.push_back(elastic.stretches[i].weighs);
-    for (double& at_end : weight.back()) at_end *= gravity;
+    acts.weight.push_back(elastic.stretches[i].weighs);
+    for (double& at_end : acts.weight.back()) at_end *= gravity;
   }
-  return elastic.beam.bend(loads, weight);
+  return acts;
 }
 
 /// The sum of what acts at the nodes so far; what rounding leaves of it is none.
@@ -224,8 +229,8 @@ std::optional<Elastic> elastic_shaft(const Input& in, const CriticalPlaces& weak
 Loaded loaded_at(const Input& in, const Elastic& elastic, std::size_t position) {
   Loaded loaded;
   loaded.stations = elastic.stations;
-  loaded.x = bent(in, elastic, Plane::X, position);
-  loaded.y = bent(in, elastic, Plane::Y, position);
+  const InPlane x = in_plane(in, elastic, Plane::X, position), y = in_plane(in, elastic, Plane::Y, position);
+  elastic.beam.bend(x.loading(), y.loading(), loaded.x, loaded.y);
   run_along(in, elastic, position, loaded);
   return loaded;
 }

@@ -71,10 +71,9 @@ Turn::Turn(const Input& in, std::size_t nodes)
   for (const double psi : psi_) axes_.push_back({Heading::of(0.0 + psi), Heading::of(pi / 2.0 + psi)});
 }
 
-void Turn::take(const Loaded& loaded) {
+void Turn::take(const Loaded& loaded, double most) {
   for (std::size_t n = 0; n < nodes_; ++n) internal_forces_.push_back(loaded.internal_forces(n));
-  const double M = loaded.largest_moment();
-  if (numerics::exceeds(M, largest_)) largest_ = M, most_bent_ = internal_forces_.size() / nodes_ - 1;
+  if (numerics::exceeds(most, largest_)) largest_ = most, most_bent_ = internal_forces_.size() / nodes_ - 1;
 }
 
 double Turn::moment(std::size_t node, std::size_t position, double theta) const {

@@ -33,8 +33,8 @@ struct Heading {
 class Turn {
  public:
   Turn(const DesignInput& in, std::size_t nodes);
-  /// In order of the positions.
-  void take(const Loaded& loaded);
+  /// In order of the positions; `most`: the largest bending moment of it, N m.
+  void take(const Loaded& loaded, double most);
 
   [[nodiscard]] std::size_t positions() const { return positions_; }
   [[nodiscard]] bool varies() const { return varies_; }

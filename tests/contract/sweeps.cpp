@@ -232,7 +232,7 @@ void compare(const std::string& text, const std::string& file, Points points_ask
   }
 }
 
-/// A machine of many steps, or whose sizes are searched, takes seconds a point where no size passes.
+/// A machine of many steps, or whose sizes are searched, takes tenths of a second where no size passes.
 std::size_t fewer_where_slow(std::size_t points, const std::string& text) {
   std::size_t steps = 0;
   for (std::size_t at = text.find("calculator = "); at != std::string::npos; at = text.find("calculator = ", at + 1))

@@ -4,7 +4,6 @@
 #include "lib/project/run/search/joint_search.hpp"
 #include "lib/project/run/search/shortfall.hpp"
 
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -32,26 +31,31 @@ std::set<Row> JointSearch::failed_at_given_places() {
   return failed;
 }
 
-/// Whether one of them fails with all sizes, from the smallest to the largest, in this arrangement. Sizes outside the
-/// rules count as well, because other sizes of distant elements may be within.
+/// Whether one of them fails with all sizes, from the smallest to the largest, in this arrangement: coarsely first, for
+/// most pass with some. Sizes outside the rules count as well, because other sizes of distant elements may be within.
 bool JointSearch::find_barred() {
   std::vector<SizeIndices> within, outside;
+  last_.reset();
   for (const double level : sizes_.levels()) {
     if (!sizes_.set(sizes_.alike(level))) continue;
-    (keeps_rules() ? within : outside).push_back(sizes_.now());
+    (passing_.breaks_rule_without_table() ? outside : within).push_back(sizes_.now());
   }
   if (within.empty()) return false;
   within.insert(within.end(), outside.begin(), outside.end());
-  std::optional<std::set<Row>> barred;
-  for (const SizeIndices& sizes : within) {
+  const auto failed_with = [&](const SizeIndices& sizes) {
     sizes_.set(sizes);
     settle();
-    const std::set<Row> failed = failed_at_given_places();
-    if (!barred) barred = failed;
-    std::erase_if(*barred, [&](const Row& row) { return !failed.contains(row); });
-    if (barred->empty()) return false;
+    return failed_at_given_places();
+  };
+  std::set<Row> barred = failed_with(within.front());
+  for (const std::size_t step : {std::size_t{16}, std::size_t{4}, std::size_t{1}}) {
+    for (std::size_t i = 0; i < within.size() && !barred.empty(); i += step) {
+      const std::set<Row> failed = failed_with(within[i]);
+      std::erase_if(barred, [&](const Row& row) { return !failed.contains(row); });
+    }
   }
-  barred_.merge(std::move(*barred));
+  if (barred.empty()) return false;
+  barred_.merge(std::move(barred));
   return true;
 }
 

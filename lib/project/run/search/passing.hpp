@@ -42,6 +42,8 @@ class Passing {
   /// Whether they hold at the current sizes, and values of tables settle. Those without such a value come first: the
   /// values for a part with many sections settle by its evaluation.
   bool settles_within_rules();
+  /// Whether one without such a value is broken.
+  bool breaks_rule_without_table();
   /// Whether a check is active: otherwise any candidate would pass.
   [[nodiscard]] bool is_any_asked() const;
 
@@ -60,7 +62,6 @@ class Passing {
   const std::vector<bool>& concerned();
   /// Whether a rule takes a value of a row that depends on the size.
   [[nodiscard]] bool takes_sized_value(std::size_t rule) const;
-  [[nodiscard]] bool breaks_rule_without_table();
   [[nodiscard]] bool has_rule_with_table();
 
   [[nodiscard]] bool holds_here() const;

@@ -69,23 +69,24 @@ std::vector<const Table*> tables_where(const std::string& text, Wanted wanted) {
   return found;
 }
 
-/// Rows that were found, for a project looks up the same few again and again.
-class FoundRows {
+/// Rows or series that were found, for a project looks up the same few again and again.
+template <class One>
+class FoundOnes {
  public:
-  Entry find(const std::string& key) const {
+  One find(const std::string& key) const {
     const std::lock_guard lock(mutex_);
-    const auto found = rows_.find(key);
-    return found != rows_.end() ? found->second : Entry();
+    const auto found = all_.find(key);
+    return found != all_.end() ? found->second : One();
   }
 
-  const Entry& keep(const std::string& key, const Entry& entry) {
+  const One& keep(const std::string& key, const One& one) {
     const std::lock_guard lock(mutex_);
-    return rows_.emplace(key, entry).first->second;
+    return all_.emplace(key, one).first->second;
   }
 
  private:
   mutable std::mutex mutex_;
-  std::map<std::string, Entry> rows_;
+  std::map<std::string, One> all_;
 };
 
 /// The line of a file with the name of its table, or its folder.
@@ -113,7 +114,7 @@ const Library& built_in() {
 
 Outcome<Entry> find_row(std::string_view group, std::string_view name) {
   if (name.empty()) return find_row(Library{}, group, name);  // nothing is near no name
-  static FoundRows found_rows;
+  static FoundOnes<Entry> found_rows;
   const std::string key = std::string(group) + '\n' + std::string(name);
   Entry entry = found_rows.find(key);
   if (entry.row != nullptr) return entry;
@@ -126,12 +127,15 @@ Outcome<Entry> find_row(std::string_view group, std::string_view name) {
 }
 
 const Series* series_named(std::string_view name) {
-  const Series* named = nullptr;
-  visit_until("name = \"" + std::string(name) + '"', [&](const Library& library) {
+  static FoundOnes<const Series*> found_series;
+  const std::string key(name);
+  const Series* named = found_series.find(key);
+  if (named != nullptr) return named;
+  visit_until("name = \"" + key + '"', [&](const Library& library) {
     if (const auto found = find_series(library, name)) named = *found;
     return named != nullptr;
   });
-  return named;
+  return named == nullptr ? nullptr : found_series.keep(key, named);
 }
 
 Outcome<const Series*> find_series(std::string_view name) {

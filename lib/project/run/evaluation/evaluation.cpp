@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace loadpath::project {
 
@@ -25,11 +26,15 @@ Issue Evaluation::broken_rule(std::size_t rule) const { return step_.broken_rule
 
 bool Evaluation::check_rules(std::vector<Issue>& issues) {
   inputs_.set_values_of_rows(first_size());
+  std::vector<std::size_t> rules;
+  for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule) {
+    if (!waits_for_search(step_, rule)) rules.push_back(rule);
+  }
   std::set<std::size_t> warned;  // a warning is reported once, not at every position
   for (std::size_t i = 0; i < positions(); ++i) {
     if (!set_position(i)) continue;
-    for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule) {
-      if (waits_for_search(step_, rule) || holds(rule)) continue;
+    for (const std::size_t rule : rules) {
+      if (holds(rule)) continue;
       if (calculator_.rules[rule].only_warns && !warned.insert(rule).second) continue;
       issues.push_back(broken_rule(rule));
       if (!calculator_.rules[rule].only_warns) return false;

@@ -52,7 +52,7 @@ std::string size_text(const Entry& entry) {
   return entry.path + (entry.path.size() > short_path ? " " : "\u00A0") + set("= " + text);
 }
 
-/// Whether a field, or one of its parts, is such a one: most calculators have none.
+/// Whether a field or one of its parts satisfies it: in most calculators none does.
 bool has(std::span<const FieldInfo> fields, bool (*is_such)(const FieldInfo&)) {
   return std::ranges::any_of(fields, [&](const FieldInfo& f) { return is_such(f) || has(f.fields, is_such); });
 }

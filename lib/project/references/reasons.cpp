@@ -2,6 +2,7 @@
 
 #include "lib/project/because.hpp"
 
+#include <cctype>
 #include <set>
 #include <string>
 #include <string_view>
@@ -19,6 +20,17 @@ std::string subject_of(const ReducedLoad& value) {
   return text.substr(of_values.size(), end - of_values.size());
 }
 
+/// Whether a reason names a value, as a word of its own; a contradiction without a value needs no name.
+bool names(const std::string& reason, const std::string& subject) {
+  const auto is_of_name = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  if (subject.empty()) return true;
+  for (std::size_t at = reason.find(subject); at != std::string::npos; at = reason.find(subject, at + 1)) {
+    const std::size_t end = at + subject.size();
+    if ((at == 0 || !is_of_name(reason[at - 1])) && (end == reason.size() || !is_of_name(reason[end]))) return true;
+  }
+  return false;
+}
+
 /// How many contradictions of an input its reason does not name. It answers one; of several it names the values of the
 /// others.
 std::size_t unnamed_for(const Step& step, const std::vector<ReducedLoad>& values, const std::string& path) {
@@ -26,8 +38,7 @@ std::size_t unnamed_for(const Step& step, const std::vector<ReducedLoad>& values
   std::set<std::string> unnamed;
   for (const ReducedLoad& value : values) {
     const std::string subject = subject_of(value);
-    const bool is_named = !subject.empty() && reason->text.find(subject) != std::string::npos;
-    if (value.path == path && !is_named) unnamed.insert(subject);
+    if (value.path == path && (subject.empty() || !names(reason->text, subject))) unnamed.insert(subject);
   }
   return unnamed.size();
 }
@@ -43,8 +54,7 @@ void hold_unless_justified(Step& step, const std::vector<ReducedLoad>& values) {
     }
     step.loads().justified.insert(value.path);
     const std::string subject = subject_of(value);
-    const bool is_named = subject.empty() || reason->text.find(subject) != std::string::npos;
-    if (is_named || unnamed_for(step, values, value.path) <= 1) continue;
+    if (names(reason->text, subject) || unnamed_for(step, values, value.path) <= 1) continue;
     step.loads().reduced.push_back(
         {value.path,
          say("{1}; the reason given answers another contradiction: name '{2}' in it, too", value.message, subject)});

@@ -48,7 +48,7 @@ TEST_SUITE("pin lug") {
     using loadpath::test::mode_with;
     for (const char* id : {"net", "shear_out", "crown", "bearing"}) CHECK(mode_with("pin.lug", "", id) == "pass");
     // 50 kN over (2.5 - 1) 40 mm x 40 mm: 20.8 MPa, however wide the eye is
-    const std::string wide = "b = \"400 mm\"\na = \"180 mm\"\nsigma_adm = ";
+    const std::string wide = "b = \"400 mm\"\na = \"180 mm\"\ntau_adm = \"20 MPa\"\nsigma_adm = ";
     CHECK(mode_with("pin.lug", wide + "\"20.8 MPa\"", "net") == "fail");
     CHECK(mode_with("pin.lug", wide + "\"20.9 MPa\"", "net") == "pass");
     CHECK(mode_with("pin.lug", "a = \"5 mm\"\ntau_adm = \"400 MPa\"", "crown") == "not-covered");

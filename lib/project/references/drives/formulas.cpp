@@ -145,7 +145,7 @@ class Formulas {
   void compare(const Operand& operand, const Formula& formula) {
     const FieldInfo& field = *operand.leaf.field;
     const double share = std::abs(formula.product.number) / usual_number(formula, field);
-    if (compare_cancelled(operand, formula, share)) return;
+    if (formula.application_factors < 0 && compare_cancelled(operand, formula)) return;
     const bool is_compared = share > 0.0 && share < least_share && !is_multiple_of_one(formula, field);
     if (!is_compared || (states_share(step_, operand) && !has_other_count(share)) ||
         is_half_of_two(step_, operand, share) || is_count_of_parts(step_, project_, operand, share))
@@ -158,6 +158,8 @@ class Formulas {
     if (!(whole > 0.0)) return;
     if (taken_in_parts(project_, formula.values, whole, field.dimension, values_of) >= least_share * whole) return;
     if (is_lower_end(operand)) return;
+    const double K_A = own_value(step_, project_, "K_A");
+    if (is_near(share * K_A, 1.0, 1e-3) && compare_cancelled(operand, formula)) return;
     add(operand.path, say("{1} is {2} times the result of its formula, and no input takes the rest: refer to a value "
                           "that states the share or the number of parts, or justify it: {3} = \"...\"",
                           operand.path, format_number(share, 4), because_key(operand.path)));
@@ -179,13 +181,13 @@ class Formulas {
   }
 
   /// A load divided by the application factor that the step applies to it.
-  bool compare_cancelled(const Operand& operand, const Formula& formula, double share) {
+  bool compare_cancelled(const Operand& operand, const Formula& formula) {
     const double K_A = own_value(step_, project_, "K_A");
-    const bool is_divided = formula.application_factors < 0 || is_near(share * K_A, 1.0, 1e-3);
-    if (!(K_A > 1.0) || !is_divided || is_of_one_load(formula, *operand.leaf.field)) return false;
-    add(operand.path, say("{1} is divided by the application factor, which then has no effect: leave it out, or "
-                          "{2} = \"...\"",
-                          operand.path, because_key(operand.path)));
+    if (!(K_A > 1.0) || is_of_one_load(formula, *operand.leaf.field)) return false;
+    add(operand.path,
+        say("{1} is divided by the application factor, which cancels it: do not divide by K_A, or justify "
+            "it: {2} = \"...\"",
+            operand.path, because_key(operand.path)));
     return true;
   }
 
@@ -225,7 +227,7 @@ class Formulas {
       const bool is_meant = is_of_peak(name) && !is_of_other_state(name) && value.signature.dimension == a_force;
       if (!is_meant || !(si > (1.0 + few_digits) * pull) || si > implausible_ratio * pull) continue;
       return add(operand.path,
-                 say("values.{1} = {2} acts on no step, and {3} is of a force of {4}: refer to it, delete "
+                 say("values.{1} = {2} acts on no step, and {3} corresponds to a force of {4}: refer to it, delete "
                      "it, or justify it: {5} = \"...\"",
                      name, format_quantity(si, "kN", 4), operand.path, format_quantity(pull, "kN", 4),
                      because_key(operand.path)));
@@ -242,8 +244,10 @@ class Formulas {
     if (field.dimension != a_force || !is_on_circle || is_ring) return;
     for (const auto& wall : project_.steps) {
       const double whole = force_on_bore(*wall, formula);
-      const double share = std::abs(own_value(step_, project_, operand.path)) / whole;
-      if (!(share < least_share) || is_half_of_two(step_, operand, share)) continue;
+      const double share = std::abs(own_value(step_, project_, operand.path)) * parts_in(formula) / whole;
+      if (!(share < least_share) || is_half_of_two(step_, operand, share) ||
+          is_count_of_parts(step_, project_, operand, share))
+        continue;
       return add(operand.path,
                  say("{1} is {2} times the force of this pressure on the bore of '{3}': take the diameter "
                      "of the bore, or justify it: {4} = \"...\"",
@@ -254,21 +258,32 @@ class Formulas {
   /// A typed pressure of a wall below that of [values] whose force on its bore another step takes.
   void compare_wall() {
     const auto typed = step_.input().reading.typed.find("p");
-    const double R = own_value(step_, project_, "R"), p = own_value(step_, project_, "p");
-    if (!id_of(step_).starts_with("vessel.") || typed == step_.input().reading.typed.end() || std::isnan(R)) return;
+    if (!id_of(step_).starts_with("vessel.") || typed == step_.input().reading.typed.end()) return;
     if (!typed->second.shared.empty()) return;
     for (const auto& other : project_.steps) {
       for (const Operand& operand : other->input().reading.operands) {
         if (operand.leaf.field->dimension != a_force) continue;
         const auto formula = formula_of(operand, project_);
-        const bool is_on_bore = formula && formula->diameters == 2 && has_size(*formula, 2.0 * R);
-        if (!is_on_bore || !(p < least_share * pressure_in(*formula))) continue;
+        const bool is_on_circle = formula && formula->diameters == 2 && !std::isnan(pressure_in(*formula));
+        if (!is_on_circle || !has_size(*formula, 2.0 * bore_radius(step_)) ||
+            !(own_value(step_, project_, "p") < least_share * pressure_in(*formula)))
+          continue;
         return add("p",
                    say("p is below the pressure that '{1}' takes on this bore, {2}: correct one of them, or justify "
                        "it: because.p = \"...\"",
                        other->name(), format_quantity(pressure_in(*formula), "MPa", 4)));
       }
     }
+  }
+
+  /// The number of parts that the load is divided by: the bolts of a cover; 1 if there is none.
+  [[nodiscard]] double parts_in(const Formula& formula) const {
+    double parts = 1.0;
+    for (const Product::Power& one : formula.product.powers) {
+      if (one.exponent < 0 && one.dimension.is_number() && !is_application_factor(one.path))
+        parts *= std::pow(value_of_file(project_, one.path)->si.front(), -one.exponent);
+    }
+    return parts;
   }
 
   [[nodiscard]] bool has_size(const Formula& formula, double size) const {
@@ -292,9 +307,19 @@ class Formulas {
     const bool is_same = std::ranges::any_of(formula.product.powers, [&](const Product::Power& one) {
       return one.exponent == 1 && one.path == pressure->second.shared;
     });
-    const double R = own_value(wall, project_, "R"), d_i = own_value(wall, project_, "d_i");
-    const double radius = std::isnan(R) ? d_i / 2.0 : R;
-    return is_same ? own_value(wall, project_, "p") * pi * radius * radius : std::nan("");
+    if (!is_same) return std::nan("");
+    const double radius = bore_radius(wall);
+    return own_value(wall, project_, "p") * pi * radius * radius;
+  }
+
+  /// The inside radius of a wall; NaN if it is not known before the wall is solved.
+  [[nodiscard]] double bore_radius(const Step& wall) const {
+    const double R = own_value(wall, project_, "R"), delta = own_value(wall, project_, "delta");
+    if (std::isnan(R)) return own_value(wall, project_, "d_i") / 2.0;
+    const auto measured = wall.input().reading.typed.find("measured");
+    const std::string surface = measured == wall.input().reading.typed.end() ? "mean" : measured->second.text;
+    if (surface.find("inner") != std::string::npos) return R;
+    return surface.find("outer") != std::string::npos ? R - delta : R - delta / 2.0;
   }
 
   /// A bore of [values] that no step takes, next to a stress of the solid section.
@@ -316,12 +341,14 @@ class Formulas {
 
   /// The same next to a part that is given by its outer diameter. The bore of a hub is the diameter of its shaft.
   void compare_hollow() {
+    const auto is_bore = [](const auto& entry) { return is_of_bore(entry.first); };
+    if (connects(step_) || std::ranges::none_of(project_.values.unused(), is_bore)) return;
     const double d = own_value(step_, project_, "d");
-    if (connects(step_) || std::isnan(d) || project_.values.unused().empty()) return;
+    if (std::isnan(d)) return;
     for (const char* const key : {"d_bore", "d_i"}) {
       const bool is_input = find_field(step_.input().calculator->input->fields, key) != nullptr;
       if (!is_input || own_value(step_, project_, key) > 0.0) continue;
-      if (const std::string bore = bore_within(d); !bore.empty())
+      if (const std::string bore = smaller_value(d, a_length, &is_of_bore); !bore.empty())
         add("d", say("values.{1} acts on no step, and {2} is not given here: refer to it, delete it, or justify it: "
                      "because.d = \"...\"",
                      bore, key));
@@ -330,19 +357,17 @@ class Formulas {
 
   /// The bore, the smallest diameter or the area of [values] that leaves less than this section; empty if none does.
   [[nodiscard]] std::string section_within(double size, const Dimension& dimension) const {
-    for (const auto& [name, value] : project_.values.unused()) {
-      const double si = value.si.front();
-      const bool is_meant = dimension == a_length ? is_of_bore(name) || is_of_neck(name) : name.starts_with("A_");
-      if (value.signature.dimension == dimension && is_meant && si > 0.0 && si < size) return name;
-    }
-    return {};
+    return smaller_value(size, dimension, [&](const std::string& name) {
+      return dimension == a_length ? is_of_bore(name) || is_of_neck(name) : name.starts_with("A_");
+    });
   }
 
-  /// "d_i", "d_bore" of [values] that is smaller than a size; empty if there is none.
-  [[nodiscard]] std::string bore_within(double size) const {
+  /// A value of [values] under such a name that is smaller than a size; empty if there is none.
+  template <class Named>
+  [[nodiscard]] std::string smaller_value(double size, const Dimension& dimension, const Named& is_meant) const {
     for (const auto& [name, value] : project_.values.unused()) {
       const double si = value.si.front();
-      if (value.signature.dimension == a_length && is_of_bore(name) && si > 0.0 && si < size) return name;
+      if (value.signature.dimension == dimension && is_meant(name) && si > 0.0 && si < size) return name;
     }
     return {};
   }

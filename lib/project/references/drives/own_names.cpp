@@ -160,7 +160,7 @@ double most_share(const Step& step, const Project& project, const std::string& p
   return std::isnan(most) ? 1.0 : std::fmin(1.0, most);
 }
 
-/// Amplitude and mean that are parts of one value and do not make up it: "=values.T/4" of both.
+/// Amplitude and mean that are parts of one value and do not add up to it: "=values.T/4" of both.
 void compare_cycle(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
   const std::string path = is_part_of_cycle(step, operand) ? only_value(operand) : std::string();
   if (path.empty()) return;
@@ -213,25 +213,24 @@ double taken_in_lengths(const Project& project, const std::string& path) {
   return total;
 }
 
-/// The length of a bar that may buckle, as a part of a length of [values] by a bare number: half of a storey is braced
-/// in the middle, which the file does not state.
+/// A length of a bar, a shell, an overhang or a link that is a part of a length of [values] by a bare number; bracing
+/// or stiffening that would explain it is not stated.
 void compare_length(const Step& step, const Project& project, const Operand& operand, std::vector<ReducedLoad>& found) {
   const auto& fields = step.input().calculator->input->fields;
   const bool is_of_shell = operand.path == "L" && find_field(fields, "p_e") != nullptr;
   const bool is_overhang = operand.path == "a" && id_of(step) == "shaft.overhung";
   const bool is_link = operand.path == "l" && id_of(step) == "mechanism.planar";
-  const bool is_of_bar =
+  const bool is_length =
       is_of_shell || is_overhang || is_link || (operand.path == "l" && find_field(fields, "n_st") != nullptr);
-  const std::string path = is_of_bar ? only_value(operand) : std::string();
+  const std::string path = is_length ? only_value(operand) : std::string();
   if (path.empty() || operand.expression.is_reference() || is_named(step, operand)) return;
   const double stated = stated_number(project, path, operand.leaf.field->dimension);
   const std::string& key = operand.path;
   const double share = std::abs(own_value(step, project, key)) / stated;
   if (!(share < least_share) || taken_in_lengths(project, path) >= least_share * stated) return;
-  found.push_back(
-      {key, say("{3} is {1} times '{2}', and nothing states the reason for a part: refer to a value that states "
-                "the number of parts, or justify it: because.{3} = \"...\"",
-                format_number(share, 4), path, key)});
+  found.push_back({key, say("{3} is {1} times '{2}', and no value states why only a part counts: refer to a value that "
+                            "states the number of parts, or justify it: because.{3} = \"...\"",
+                            format_number(share, 4), path, key)});
 }
 
 /// A speed above the value of its own name, which no other step has: "n_1 = =values.n_1*values.i". At a given power the

@@ -1,5 +1,8 @@
 #include "lib/project/references/drives/products.hpp"
 
+#include "lib/project/references/origins.hpp"
+#include "lib/quantity/gravity.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,6 +14,7 @@ bool is_application_factor(const std::string& path) { return path.substr(path.rf
 
 const Value* value_of_file(const Project& project, const std::string& path) {
   constexpr std::string_view of_values = "values.";
+  NotedReads::note(path);
   const Value* const value = project.value(path);
   return value != nullptr || !path.starts_with(of_values) ? value : project.values.fixed(path.substr(of_values.size()));
 }
@@ -106,9 +110,8 @@ std::optional<Product> product_of(const Operand& operand, const Project& project
     product.powers.push_back({path, power, dimension});
     of_numbers = of_numbers / dimension.power(power);
   }
-  constexpr double gravity = 9.80665;
   if (of_numbers == Dimension::of(1, 0, -2)) {
-    product.number /= gravity;
+    product.number /= standard_gravity;
   } else if (!of_numbers.is_number()) {
     return std::nullopt;  // a size that is a number here
   }

@@ -142,7 +142,7 @@ LargestLoad largest_load(const Step& step, const Project& project, const std::st
 }
 
 /// The application factor under the symbols of other standards: K_o of AGMA, c_B of belts.
-bool is_application_factor(std::string_view name) {
+bool is_other_symbol_of_application_factor(std::string_view name) {
   constexpr std::array<std::string_view, 9> names{
       "K_o", "K_O", "k_A", "c_B", "f_B", "service_factor", "application_factor", "overload_factor", "duty_factor"};
   return std::ranges::find(names, name) != names.end();
@@ -153,7 +153,7 @@ void compare_factor(const Step& step, const Project& project, const std::string&
                     std::vector<ReducedLoad>& found) {
   constexpr double same = 1e-6;
   const auto& inputs = step.input().calculator->input->fields;
-  const bool is_other_symbol = is_application_factor(name) && find_field(inputs, name) == nullptr;
+  const bool is_other_symbol = is_other_symbol_of_application_factor(name) && find_field(inputs, name) == nullptr;
   const std::string key = is_other_symbol ? "K_A" : name;
   const FieldInfo* const field = find_field(inputs, key);
   if (field == nullptr || !field->is_factor || !field->dimension.is_number()) return;

@@ -277,14 +277,15 @@ class RatingCheck {
 
 namespace {
 
-/// The first over the second of two strengths. Shear strengths of metals are 0.5 to 0.8 of those in tension, of brittle
-/// ones up to 1; annealed and austenitic steels yield at a third of their tensile strength (recalled).
+/// The first over the second of two strengths. Shear strengths of metals are 0.5 to 0.8 of those in tension, of grey
+/// cast iron up to 1.2; fatigue limits of a part include notch factors, which differ between bending and torsion;
+/// annealed and austenitic steels yield at a third of their tensile strength (recalled).
 struct Proportion {
   const char *one, *other;
   double least, most;
 };
 constexpr std::array proportions{
-    Proportion{"sigma_adm", "tau_adm", 0.9, 4.0}, Proportion{"sigma_D", "tau_D", 0.9, 4.0},
+    Proportion{"sigma_adm", "tau_adm", 0.8, 4.0}, Proportion{"sigma_D", "tau_D", 0.4, 8.0},
     Proportion{"R_m", "R_e", 1.0, 5.0},           Proportion{"sigma_B", "sigma_S", 1.0, 5.0},
     Proportion{"R_mN", "R_eN", 1.0, 5.0},
 };
@@ -294,12 +295,12 @@ constexpr std::array proportions{
 std::vector<ReducedLoad> strengths_out_of_proportion(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
   for (const Proportion& one : proportions) {
-    const double a = own_value(step, project, one.one), b = own_value(step, project, one.other);
-    if (!(a > one.most * b) && !(a < one.least * b && a > 0.0)) continue;
-    found.push_back(
-        {one.one, say("{1} = {2} and {3} = {4} are not of one material: check the unit and the power of ten, "
-                      "or justify it: because.{1} = \"...\"",
-                      one.one, format_quantity(a, "MPa", 4), one.other, format_quantity(b, "MPa", 4))});
+    const double a = own_value(step, project, one.one);
+    const double b = a > 0.0 ? own_value(step, project, one.other) : std::nan("");
+    if (!(a > one.most * b) && !(a < one.least * b)) continue;
+    found.push_back({one.one, say("{1} = {2} and {3} = {4} are out of proportion: check the unit and the power of ten, "
+                                  "or justify it: because.{1} = \"...\"",
+                                  one.one, format_quantity(a, "MPa", 4), one.other, format_quantity(b, "MPa", 4))});
   }
   return found;
 }

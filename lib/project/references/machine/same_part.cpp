@@ -70,12 +70,12 @@ class PartCheck {
     constexpr double step_of_bearing = 0.98;
     const auto torque = step_.input().reading.typed.find("T");
     if (id_of(step_) != "shaft.torsion" || torque == step_.input().reading.typed.end()) return;
-    const double d = own_value(step_, project_, "d");
     for (const auto& other : project_.steps) {
       const auto there = other->input().reading.typed.find("T");
       const bool is_alike = connects(*other) && there != other->input().reading.typed.end() &&
                             !torque->second.shared.empty() && there->second.shared == torque->second.shared;
-      const double seat = is_alike ? own_value(*other, project_, "d") : std::nan("");
+      if (!is_alike) continue;
+      const double d = own_value(step_, project_, "d"), seat = own_value(*other, project_, "d");
       if (!(seat < step_of_bearing * d)) continue;
       found_.push_back({"d", say("d = {1}, and '{2}' with the same torque has {3}: assess the thinnest diameter of the "
                                  "shaft, or justify it: because.d = \"...\"",

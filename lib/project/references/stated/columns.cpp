@@ -82,7 +82,7 @@ bool is_bending_moment(const std::string& name) {
 /// "N_c", "F_push" of [values] for the axial force, or a step "push rod".
 bool is_compressed(const Step& step) {
   const std::initializer_list<std::string_view> words{"c",    "comp",  "compression", "compressive",
-                                                      "push", "clamp", "strut",       "prop"};
+                                                      "push", "strut", "prop"};
   const bool is_named_so =
       std::ranges::any_of(words, [&](std::string_view word) { return word.size() > 1 && is_named(step, word); });
   const auto typed = step.input().reading.typed.find("N");
@@ -133,11 +133,11 @@ std::vector<ReducedLoad> columns_stated_otherwise(const Step& step, const Projec
 
 std::vector<ReducedLoad> eccentric_links(const Step& step, const Project& project) {
   if (id_of(step) != "link.member") return {};
-  const double N = std::abs(own_value(step, project, "N")), M_b = std::abs(own_value(step, project, "M_b"));
   std::vector<ReducedLoad> found;
   for (const auto& [name, value] : project.values.unused()) {
-    const double moment = N * std::abs(value.si.front());
-    if (!(value.signature.dimension == length) || !is_eccentricity(name) || !(moment > std::fmax(0.0, M_b))) continue;
+    if (!(value.signature.dimension == length) || !is_eccentricity(name)) continue;
+    const double moment = std::abs(own_value(step, project, "N") * value.si.front());
+    if (!(moment > std::fmax(0.0, std::abs(own_value(step, project, "M_b"))))) continue;
     found.push_back(
         {"M_b", say("values.{1} acts on no step, and with N it is a moment of {2}: add it to M_b, delete it, "
                     "or justify it: because.M_b = \"...\"",
@@ -147,8 +147,8 @@ std::vector<ReducedLoad> eccentric_links(const Step& step, const Project& projec
 }
 
 std::vector<ReducedLoad> bars_in_tension(const Step& step, const Project& project) {
-  if (id_of(step) != "link.member" || !(own_value(step, project, "N") > 0.0)) return {};
-  if (std::isnan(own_value(step, project, "n_st")) || !is_compressed(step)) return {};
+  if (id_of(step) != "link.member" || !is_compressed(step)) return {};
+  if (std::isnan(own_value(step, project, "n_st")) || !(own_value(step, project, "N") > 0.0)) return {};
   return {
       {"N", say("N is positive, which is tension, and this bar is compressed by the name of the force or of the step: "
                 "write N = \"=-...\", or because.N = \"...\"")}};

@@ -8,6 +8,7 @@
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -71,9 +72,17 @@ bool is_of_seam(std::string_view name) { return name == "z_l" || name == "z_c"; 
 /// The yield strength in the designation of a structural or pressure vessel steel by EN 10027-1, "S185"; NaN of others.
 double yield_by_designation(const std::string& word) {
   constexpr double MPa = 1e6;
-  const bool is_such = word.size() >= 4 && (word[0] == 'S' || word[0] == 'P' || word[0] == 'E') &&
-                       std::all_of(word.begin() + 1, word.begin() + 4, [](char c) { return c >= '0' && c <= '9'; });
-  return is_such ? MPa * std::stod(word.substr(1, 3)) : std::nan("");
+  if (word.empty() || (word[0] != 'S' && word[0] != 'P' && word[0] != 'E')) return std::nan("");
+  const std::string digits = word.substr(1, word.find_first_not_of("0123456789", 1) - 1);
+  const bool is_strength = digits.size() == 3 || digits.size() == 4;  // "S1100QL"
+  return is_strength ? MPa * std::stod(digits) : std::nan("");
+}
+
+/// "non-reversing", "not alternating", "no pulsating load".
+bool is_negated(const std::string& text, const std::string& word) {
+  const std::string before = text.substr(0, text.find(word));
+  return std::ranges::any_of(std::array{"non", "non-", "non ", "not ", "no "},
+                             [&](const char* negation) { return before.ends_with(negation); });
 }
 
 class OwnInputs {
@@ -208,7 +217,7 @@ class OwnInputs {
       compare_material(name, word);
     if (word == "yes" || word == "true") compare_sense(name, name, word);
     for (const char* const sense : {"reversing", "alternating", "pulsating", "dynamic"}) {
-      if (word.find(sense) == std::string::npos) continue;
+      if (word.find(sense) == std::string::npos || is_negated(word, sense)) continue;
       compare_sense(name, sense, word);
       if (std::string_view(sense) != "dynamic") compare_sense(name, "dynamic", word);
     }
@@ -244,6 +253,7 @@ class OwnInputs {
     const double R_e = row ? table::largest_value(*row, "R_e") : std::fmax(0.0, by_name),
                  R_m = row ? table::largest_value(*row, "R_m") : 0.0;
     for (const char* const key : {"R_e", "R_e_2", "R_e_1", "R_eN", "f_y_1", "R_m"}) {
+      if (!row && !std::isnan(by_name) && std::string_view(key) == "R_m") continue;  // a designation states none
       const double own = input_of(step_, key) == nullptr ? std::nan("") : known(step_, project_, key);
       const double there = std::isnan(R_e) || std::string_view(key) == "R_m" ? R_m : R_e;
       const bool is_other = name == "material" && !here.empty() && own > 0.0;

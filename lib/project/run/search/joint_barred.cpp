@@ -1,17 +1,19 @@
-// Checks that no sizes of one part satisfy: those of an element whose size is given depend on that size and on those of
-// its neighbours alone. One that fails whatever size the neighbours have makes every further trial pointless.
+// Checks that no sizes of one part satisfy. Those of an element with a given size depend on this size and on those of
+// its neighbours, and on more than two supports on all other sizes, through the reactions. One that fails with all
+// sizes alike and with neighbours of all other sizes makes every further trial pointless.
 #include "lib/account/rows.hpp"
 #include "lib/project/run/search/joint_search.hpp"
 #include "lib/project/run/search/shortfall.hpp"
 
+#include <array>
 #include <set>
 #include <utility>
 #include <vector>
 
 namespace loadpath::project {
 
-/// The checks and criteria of elements with given sizes that fail with the current sizes; of a part without a value
-/// they fail, too.
+/// The checks and criteria of elements with given sizes that fail with the current sizes; a check without a value also
+/// fails.
 std::set<Row> JointSearch::failed_at_given_places() {
   std::set<Row> failed;
   void* const result = evaluation_.result().data.get();
@@ -29,6 +31,24 @@ std::set<Row> JointSearch::failed_at_given_places() {
     }
   }
   return failed;
+}
+
+/// Sizes of which each second one is at a level and the others at another one: neighbours of a given size that differ.
+std::vector<SizeIndices> JointSearch::alternating() {
+  std::vector<SizeIndices> all;
+  const std::vector<double> levels = sizes_.levels();
+  if (sizes_.count() < 2 || levels.empty()) return all;
+  const std::size_t last = levels.size() - 1;
+  const std::array chosen{std::size_t{0}, last / 4, last / 2, last - last / 4, last};
+  for (const std::size_t one : chosen) {
+    for (const std::size_t other : chosen) {
+      SizeIndices sizes = sizes_.alike(levels[one]);
+      const SizeIndices others = sizes_.alike(levels[other]);
+      for (std::size_t k = 1; k < sizes.size(); k += 2) sizes[k] = others[k];
+      if (one != other && sizes_.set(sizes)) all.push_back(sizes_.now());
+    }
+  }
+  return all;
 }
 
 /// Whether one of them fails with all sizes, from the smallest to the largest, in this arrangement: coarsely first, for
@@ -55,18 +75,25 @@ bool JointSearch::find_barred() {
     }
   }
   if (barred.empty()) return false;
+  for (const SizeIndices& sizes : alternating()) {
+    const std::set<Row> failed = failed_with(sizes);
+    std::erase_if(barred, [&](const Row& row) { return !failed.contains(row); });
+  }
+  if (barred.empty()) return false;
   barred_.merge(std::move(barred));
   return true;
 }
 
-/// None has a value. Reports what bars them, and the sizes that pass all other checks.
+/// No size has a value: reports the checks that bar them, and the sizes that pass all others.
 void JointSearch::leave_barred(std::vector<Issue>& issues) {
   SizeIndices largest(sizes_.count(), 0), others = largest;
   if (!set_largest(largest)) return issues.push_back(no_sizes());
   if (!in_words_) return leave_open(largest);  // a point of a sweep
-  for (const Row& row : barred_) passing_.excuse(row);
+  const std::set<Row> barred = barred_;
+  for (const Row& row : barred) passing_.excuse(row);
   forget();
-  if (find_cheapest(others)) return leave_unfit(others);
+  if (find_cheapest(others) || (excuse_unmoved() && find_cheapest(others))) return leave_unfit(others);
+  for (const Row& row : barred) passing_.count_again(row);
   leave_open(largest);
 }
 

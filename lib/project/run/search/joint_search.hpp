@@ -65,6 +65,7 @@ class JointSearch {
   [[nodiscard]] Issue no_sizes();
   [[nodiscard]] std::optional<account::TriedSize> next_of(const SizeIndices& laid, std::size_t which);
   [[nodiscard]] std::set<Row> failed_at_given_places();
+  [[nodiscard]] std::vector<SizeIndices> alternating();
   [[nodiscard]] bool find_barred();
   void leave_barred(std::vector<Issue>& issues);
   bool excuse_unmoved();

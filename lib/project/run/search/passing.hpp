@@ -39,8 +39,8 @@ class Passing {
   std::optional<std::size_t> first_broken_rule();
   /// All of them at the current sizes, with values of tables settled if one of them takes such a value.
   std::set<std::size_t> broken_rules();
-  /// Whether they hold at the current sizes, and values of tables settle. Those without such a value come first: the
-  /// values for a part with many sections settle by its evaluation.
+  /// Whether they hold at the current sizes and the values of tables converge. Rules without such a value come first:
+  /// convergence needs an evaluation of the part.
   bool settles_within_rules();
   /// Whether one without such a value is broken.
   bool breaks_rule_without_table();
@@ -49,6 +49,7 @@ class Passing {
 
   /// Leaves a check or a limit out of account that no candidate improves.
   void excuse(const Row& row) { excused_.insert(row); }
+  void count_again(const Row& row) { excused_.erase(row); }
   /// Excuses all that depend only on the loads.
   void excuse_sizeless();
   [[nodiscard]] std::size_t count_of_excused() const { return excused_.size(); }

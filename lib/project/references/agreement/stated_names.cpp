@@ -132,4 +132,11 @@ bool is_of_life(std::string_view name) {
                                "gearbox", "bearing",  "bearings", "drive", "machine", "min"});
 }
 
+ReducedLoad not_taken(const std::string& name, const std::string& stated, const std::string& key,
+                      const std::string& here) {
+  return {key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or justify it: "
+                   "because.{3} = \"...\"",
+                   name, stated, key, here)};
+}
+
 }  // namespace loadpath::project

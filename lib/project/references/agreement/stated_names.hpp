@@ -4,6 +4,7 @@
 #include "lib/project/project.hpp"
 
 #include <initializer_list>
+#include <string>
 #include <string_view>
 
 namespace loadpath::project {
@@ -36,5 +37,9 @@ bool is_of_vacuum(std::string_view name);
 
 /// Whether a name means a required life: "life", "service_life", "L_req".
 bool is_of_life(std::string_view name);
+
+/// "values.S_D = 1.8 acts on no step, and S is 1.5 here", for the input under this key.
+ReducedLoad not_taken(const std::string& name, const std::string& stated, const std::string& key,
+                      const std::string& here);
 
 }  // namespace loadpath::project

@@ -163,10 +163,7 @@ void compare_factor(const Step& step, const Project& project, const std::string&
   const bool is_included = key == "S" && std::isnan(own) && !std::isnan(own_value(step, project, "sigma_adm")) &&
                            std::string_view(step.input().calculator->id).starts_with("vessel.");
   if (is_included && si <= usual_of_walls) return;
-  found.push_back(
-      {key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or justify it: "
-                "because.{3} = \"...\"",
-                name, format_number(si, 6), key, std::isnan(own) ? "not given" : format_number(own, 6))});
+  found.push_back(not_taken(name, format_number(si, 6), key, std::isnan(own) ? "not given" : format_number(own, 6)));
 }
 
 /// A component of the load that a step may be given in addition to others: axial forces, bending moments.

@@ -57,9 +57,7 @@ class Conditions {
   void add(const std::string& key, Message message) { found_.push_back({key, std::move(message)}); }
 
   void add_number(const std::string& name, double si, const std::string& key, double here) {
-    add(key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or justify it: "
-                 "because.{3} = \"...\"",
-                 name, format_number(si, 5), key, format_number(here, 5)));
+    found_.push_back(not_taken(name, format_number(si, 5), key, format_number(here, 5)));
   }
 
   [[nodiscard]] const FieldInfo* field(std::string_view key) const {

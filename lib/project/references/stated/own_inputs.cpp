@@ -149,10 +149,7 @@ class OwnInputs {
   }
 
   void add_size(const std::string& name, double stated, const FieldInfo& field, double here) {
-    found_.push_back(
-        {field.key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or "
-                        "justify it: because.{3} = \"...\"",
-                        name, shown(field, stated), field.key, shown(field, here))});
+    found_.push_back(not_taken(name, shown(field, stated), field.key, shown(field, here)));
   }
 
   /// Whether a value that the step does not have changes its assessment: a requirement, an eccentricity, the level of a
@@ -258,10 +255,7 @@ class OwnInputs {
       const double there = std::isnan(R_e) || std::string_view(key) == "R_m" ? R_m : R_e;
       const bool is_other = name == "material" && !here.empty() && own > 0.0;
       if (!(own > (1.0 + in_few_digits) * there) && !is_other) continue;
-      return found_.push_back(
-          {key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, "
-                    "or justify it: because.{3} = \"...\"",
-                    name, word, key, format_quantity(own, "MPa", 4))});
+      return found_.push_back(not_taken(name, word, key, format_quantity(own, "MPa", 4)));
     }
   }
 
@@ -311,10 +305,7 @@ class OwnInputs {
 
   void add_word(const std::string& name, const std::string& word, const FieldInfo& field) {
     const std::string here = word_at(step_, field.key);
-    found_.push_back(
-        {field.key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or "
-                        "justify it: because.{3} = \"...\"",
-                        name, word, field.key, here.empty() ? "not given" : here)});
+    found_.push_back(not_taken(name, word, field.key, here.empty() ? "not given" : here));
   }
 
   [[nodiscard]] static std::string shown(const FieldInfo& field, double si) {

@@ -116,10 +116,7 @@ class Requirements {
     const auto shown = [&](double si) {
       return field.dimension.is_number() ? format_number(si, 5) : format_quantity(si, field.unit, 5);
     };
-    found_.push_back(
-        {field.key, say("values.{1} = {2} acts on no step, and {3} is {4} here: refer to it, delete it, or "
-                        "justify it: because.{3} = \"...\"",
-                        name, shown(stated), field.key, shown(here))});
+    found_.push_back(not_taken(name, shown(stated), field.key, shown(here)));
   }
 
   const Step& step_;

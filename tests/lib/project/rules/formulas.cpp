@@ -108,6 +108,15 @@ TEST_SUITE("project: parts of formulas") {
     CHECK(found(oil, lug("=values.p*pi*(values.D^2 - values.d_rod^2)/4") + barrel).empty());
     CHECK(found(oil, lug("=values.p*pi*values.d_rod^2/4") + barrel) == "F");
     CHECK(found(oil + "p_2 = \"1 MPa\"\n", column("=values.p_2*pi*values.d_rod^2/4") + barrel).empty());
+    CHECK(found(oil + "n = 8\n", lug("=values.p*pi*values.D^2/4/values.n") + barrel).empty());  // bolts of a cover
+    const auto at = [&](const std::string& R, const std::string& measured) {                    // a bore of 80 mm
+      return found(oil, lug("=values.p*pi*values.D^2/4") + "\n" +
+                            example_of("vessel.thick", "p = \"=values.p\"\nR = \"" + R + "\"\ndelta = \"20 mm\"\n" +
+                                                           "measured = \"" + measured + "\""));
+    };
+    CHECK(at("50 mm", "mean").empty());
+    CHECK(at("60 mm", "outer").empty());
+    CHECK(at("60 mm", "inner") == "F");
   }
 
   TEST_CASE("a smaller section of [values]") {

@@ -155,7 +155,7 @@ TEST_SUITE("project: inputs stated otherwise") {
     const std::string joint = example_of("pin.joint", "loading = \"steady\"");
     check(joint, {{"duty = \"pulsating, 40 lifts an hour\"", "loading"}, {"duty = \"steady\"", ""}});
     check(example_of("pin.joint", "loading = \"alternating\""), {{"duty = \"pulsating\"", ""}});
-    check(example_of("shaft.key"), {{"duty = \"reversing, each lift\"", "torque"}});
+    check(example_of("shaft.key"), {{"duty = \"reversing, each lift\"", "torque"}, {"duty = \"non-reversing\"", ""}});
     check(example_of("shaft.set_screw"), {{"load = \"pulsating\"", "load_case"}});
     const std::string fixed = with_lines(column(), "ends = \"fixed_fixed\"");
     check(fixed, {{"base = \"pinned on two anchors\"", "ends"},
@@ -168,7 +168,9 @@ TEST_SUITE("project: inputs stated otherwise") {
         "[c]\ncalculator = \"column.buckling\"\nP = \"400 kN\"\nl = \"3.5 m\"\nends = \"pinned_pinned\"\nsection = "
         "\"HEB 160\"\nmaterial = \"S355\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1\n";
     check(post, {{"section = \"HEB 140\"", "P"}, {"section = \"HEB 160\"", ""}, {"chain = \"16B\"", ""}});
-    check(post, {{"steel = \"S185\"", "R_e"}, {"steel = \"S460\"", ""}, {"steel = \"good\"", ""}});
+    check(
+        post,
+        {{"steel = \"S185\"", "R_e"}, {"steel = \"S460\"", ""}, {"steel = \"S1100QL\"", ""}, {"steel = \"good\"", ""}});
     check(example_of("gear.worm"), {{"m_x_wheel = \"5 mm\"", "m_x"}, {"m_x_wheel = \"4 mm\"", ""}});
   }
 }

@@ -106,7 +106,7 @@ Quantity quantity_of(const account::Entry& entry, const project::Step& step, con
   if (value.is_series()) {
     q.series = value.si;
     q.axis = value.signature.axis->name();
-    q.positions = value.signature.axis->at;
+    q.positions = value.signature.axis->at.values();
     q.text = std::to_string(q.series.size()) + " values over " + q.axis;
     return q;
   }

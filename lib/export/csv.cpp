@@ -57,7 +57,7 @@ std::vector<const Entry*> chosen_series(const project::Step& step, const SeriesC
 std::string table_of(const std::vector<const Entry*>& series) {
   const Axis& axis = *series.front()->values().signature.axis;
   std::string text = axis.quantity + " [" + axis.unit + "]";
-  std::vector<Column> columns{{axis.at, 0.0, axis.unit}};
+  std::vector<Column> columns{{axis.at.values(), 0.0, axis.unit}};
   columns.reserve(series.size() + 1);
   for (const Entry* e : series) {
     if (e->values().signature.axis != &axis) continue;

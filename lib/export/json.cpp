@@ -218,7 +218,7 @@ void write_axes(const std::vector<const Axis*>& axes, JsonWriter& out) {
     out.key(axis->name()).open_object();
     out.member("shown_in", axis->unit);
     out.member("period", axis->period);
-    out.key("at").write(axis->at);
+    out.key("at").write(axis->at.values());
     out.close_object();
   }
   out.close_object();

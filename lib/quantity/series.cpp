@@ -1,5 +1,7 @@
 #include "lib/quantity/series.hpp"
 
+#include <boost/iterator/counting_iterator.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,9 +49,9 @@ std::optional<double> place_on(const Axis& axis, double at) {
 /// The index of the position at or before a place, in the direction of the axis.
 std::ptrdiff_t position_before(const Axis& axis, double at) {
   const bool descending = axis.cyclic() ? axis.period < 0.0 : axis.at.back() < axis.at.front();
-  const auto after = std::upper_bound(axis.at.begin(), axis.at.end(), at,
-                                      [=](double a, double b) { return descending ? a > b : a < b; });
-  return std::max<std::ptrdiff_t>(after - axis.at.begin() - 1, 0);
+  const auto is_reached = [&](std::size_t i) { return descending ? axis.at[i] >= at : axis.at[i] <= at; };
+  const boost::counting_iterator<std::size_t> first(0), last(axis.at.size());
+  return std::max<std::ptrdiff_t>(std::partition_point(first, last, is_reached) - first - 1, 0);
 }
 
 double interpolated(const std::array<Point, 4>& points, std::size_t count, double at) {

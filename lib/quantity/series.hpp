@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/quantity/dimension.hpp"
+#include "lib/quantity/places.hpp"
 
 #include <cstddef>
 #include <string>
@@ -14,7 +15,7 @@ struct Axis {
   std::string step;           // "lever"
   std::string quantity;       // "crank angle"
   std::string unit = "deg";   // display unit of `at`
-  std::vector<double> at;     // SI, ascending or descending; a cycle holds no doubled end point
+  Places at;                  // SI, ascending or descending; a cycle holds no doubled end point
   std::vector<double> share;  // part of the cycle's time that belongs to each position; sums to 1; empty: not a cycle
   double period = 0.0;        // SI, signed; 0: not a cycle
   double speed = 0.0;         // angular velocity of the rotating part, rad/s; 0: unknown, or not constant

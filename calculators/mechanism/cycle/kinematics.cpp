@@ -43,7 +43,7 @@ Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, cons
       kinematics.iterated[n].signs.push_back(kinematics.known[k] ? functions.sign(iterated[n]) : 0.0);
   }
   if (axis != nullptr && goes_by_drive)
-    kinematics.strokes = strokes(model, {axis->at, axis->period, kinematics.derivatives, kinematics.known});
+    kinematics.strokes = strokes(model, {axis->at.values(), axis->period, kinematics.derivatives, kinematics.known});
   return kinematics;
 }
 

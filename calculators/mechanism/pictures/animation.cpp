@@ -139,14 +139,14 @@ class Animation {
     }
   }
 
-  [[nodiscard]] std::vector<double> at_frames(const std::vector<double>& series) const {
+  [[nodiscard]] std::vector<double> at_frames(std::span<const double> series) const {
     std::vector<double> values;
     for (const std::size_t k : frames_) values.push_back(series[k]);
     return values;
   }
 
   void add_numbers() {
-    motion_.axis = {axis_symbol(in_.axis), in_.axis.quantity, in_.axis.unit, at_frames(in_.axis.at)};
+    motion_.axis = {axis_symbol(in_.axis), in_.axis.quantity, in_.axis.unit, at_frames(in_.axis.at.numbers())};
     for (const auto& line : in_.results) {
       const Kind kind = line.kind();
       const bool number = is_effort(kind) || kind == Kind::joint_force;

@@ -17,7 +17,7 @@ namespace {
 /// A cyclic series is drawn with its first point repeated at the end.
 figure::Curve curve_of(const std::string& label, const Value& value) {
   const Axis& axis = *value.signature.axis;
-  figure::Curve curve{label, axis.at, value.si, false};
+  figure::Curve curve{label, axis.at.values(), value.si, false};
   if (axis.cyclic()) {
     curve.x.push_back(axis.at.front() + axis.period);
     curve.y.push_back(value.si.front());

@@ -23,7 +23,7 @@ std::vector<bool> beyond(const Solved& solved, const CourseNow& course) {
   std::vector<bool> outside(cycle.positions.size());
   for (std::size_t k = 0; k < outside.size(); ++k) {
     if (!cycle.closed[k] && course.goes_by_stroke()) continue;
-    const double time = solved.axis == nullptr ? 0.0 : time_at(solved.in, solved.axis->at, k);
+    const double time = solved.axis == nullptr ? 0.0 : time_at(solved.in, solved.axis->at.numbers(), k);
     const double crank_angle = solved.axis == nullptr ? 0.0 : solved.axis->at[k];
     outside[k] = !course.reaches(course.argument({crank_angle, time, cycle.positions[k]}, solved.given));
   }
@@ -58,7 +58,7 @@ struct Extremes {
 
 /// The crank angles that the mechanism takes.
 std::vector<double> crank_angles(const Solved& solved) {
-  if (solved.axis != nullptr) return solved.axis->at;
+  if (solved.axis != nullptr) return solved.axis->at.values();
   return {solved.in.crank.at.empty() ? solved.in.crank.start : solved.in.crank.at[0].angle};
 }
 
@@ -81,7 +81,8 @@ Shares shares_by_angle(const Solved& solved, const planar::Load& load, const Cou
 
 /// Over the time, by points: those after the last position are not seen.
 Shares shares_by_time(const Solved& solved, const CourseNow& course) {
-  const double last = solved.axis == nullptr ? 0.0 : time_at(solved.in, solved.axis->at, solved.axis->at.size() - 1);
+  const double last =
+      solved.axis == nullptr ? 0.0 : time_at(solved.in, solved.axis->at.numbers(), solved.axis->at.size() - 1);
   Shares all;
   all.seen.take(course.share(last));
   for (const auto& [t, share] : course.points()) {

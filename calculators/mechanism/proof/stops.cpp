@@ -26,10 +26,10 @@ std::optional<Limits> limits_of(const Solved& solved) {
   const double turn = 2.0 * pi;
   const double ahead = has_crank(solved.in) ? turn * std::round((known->assembled - axis.at.front()) / turn) : 0.0;
   const double assembled = known->assembled - ahead;
-  const auto [first, last] = std::minmax_element(axis.at.begin(), axis.at.end());
+  const auto [first, last] = std::minmax({axis.at.front(), axis.at.back()});
   const double whole = std::abs(axis.period);
-  const auto range = mechanism::drive_range(solved.given, axis.cyclic() ? whole : assembled - *first,
-                                            axis.cyclic() ? whole : *last - assembled);
+  const auto range = mechanism::drive_range(solved.given, axis.cyclic() ? whole : assembled - first,
+                                            axis.cyclic() ? whole : last - assembled);
   return range ? std::optional(Limits{range->least - ahead, range->most - ahead}) : std::nullopt;
 }
 
@@ -69,10 +69,10 @@ Message stops_in_a_turn(const Limits& limits, const Axis& axis) {
 }
 
 Message stops_on_a_line(const Limits& limits, const Axis& axis) {
-  const auto [first, last] = std::minmax_element(axis.at.begin(), axis.at.end());
+  const auto [first, last] = std::minmax({axis.at.front(), axis.at.back()});
   const std::string least = limit_text(limits.least, axis.unit), most = limit_text(limits.most, axis.unit);
-  if (*first >= limits.least) return say("not above {1}", most);
-  return *last <= limits.most ? say("not below {1}", least) : say("not below {1} and above {2}", least, most);
+  if (first >= limits.least) return say("not above {1}", most);
+  return last <= limits.most ? say("not below {1}", least) : say("not below {1} and above {2}", least, most);
 }
 
 }  // namespace

@@ -157,7 +157,8 @@ figure::Figure over_turn(const Design::Input& in, const Elastic& elastic, const 
                          double theta) {
   const Value& series = *any_series(in);
   const std::size_t node = elastic.stations.at(p.x);
-  figure::Curve sigma{"sigma", series.signature.axis->at, {}}, tau{"tau", series.signature.axis->at, {}};
+  const std::vector<double> at = series.signature.axis->at.values();
+  figure::Curve sigma{"sigma", at, {}}, tau{"tau", at, {}};
   for (std::size_t i = 0; i < turn.positions(); ++i) {
     sigma.y.push_back(turn.moment(node, i, theta) * in_si(p.sigma_b / p.M));
     if (in_si(p.T) != 0.0) tau.y.push_back(turn.internal_forces(node, i).T * in_si(p.tau / abs(p.T)));

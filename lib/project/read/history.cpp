@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using toml::Tree;
 
-constexpr std::size_t most_turns = 20'000'000;  // of 16 bytes each
+constexpr std::size_t most_turns = 20'000'000;  // of 12 bytes each
 constexpr std::size_t most_in_step = 5'000;     // each is looked at on thousands of planes
 constexpr double largest = 1e30;                // as of a value that is typed: beyond all machines
 
@@ -140,7 +140,7 @@ class Turns {
   /// Memory for so many samples: what is not needed is never touched.
   void expect(std::size_t samples) {
     values_.reserve(samples);
-    at_.reserve(samples);
+    at_.reserve_samples(samples);
   }
 
   /// None where all is well.
@@ -165,7 +165,7 @@ class Turns {
   }
   [[nodiscard]] std::vector<double>& values() { return values_; }
   /// Their samples, counted from 0.
-  [[nodiscard]] std::vector<double>& at() { return at_; }
+  [[nodiscard]] Places& at() { return at_; }
   [[nodiscard]] std::uint64_t samples() const {
     return kept_ == Kept::all ? values_.size() : turning_points_.samples();
   }
@@ -178,7 +178,7 @@ class Turns {
     for (const double sample : samples) {
       if (!std::isfinite(sample))
         return wrong_history(say("sample {1} is not a number", std::to_string(values_.size())), {});
-      at_.push_back(static_cast<double>(values_.size()));
+      at_.add_sample(values_.size());
       values_.push_back(sample);
     }
     return std::nullopt;
@@ -186,12 +186,13 @@ class Turns {
   void append(std::size_t count) {
     const auto end = static_cast<std::ptrdiff_t>(count);
     values_.insert(values_.end(), next_values_.begin(), next_values_.begin() + end);
-    at_.insert(at_.end(), next_at_.begin(), next_at_.begin() + end);
+    for (std::size_t i = 0; i < count; ++i) at_.add_sample(next_at_[i]);
   }
 
   Kept kept_;
   rainflow::TurningPoints turning_points_;
-  std::vector<double> values_, at_;
+  std::vector<double> values_;
+  Places at_;
   std::vector<double> next_values_ = std::vector<double>(4);  // of the samples that were taken last
   std::vector<std::uint64_t> next_at_ = std::vector<std::uint64_t>(4);
 };

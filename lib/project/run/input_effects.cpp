@@ -172,10 +172,10 @@ bool has_effect_with_absent_loads(Evaluation& evaluation, const Leaf& leaf, std:
 /// Every so many positions of an axis, which together have its time.
 Axis thinned_axis(const Axis& axis, std::size_t step) {
   Axis thinned = axis;
-  thinned.at.clear();
+  thinned.at = {};
   thinned.share.clear();
   for (std::size_t i = 0; i < axis.at.size(); i += step) {
-    thinned.at.push_back(axis.at[i]);  // NOLINT(performance-inefficient-vector-operation): a few
+    thinned.at.add(axis.at[i]);
     if (axis.share.empty()) continue;
     const auto first = axis.share.begin() + static_cast<std::ptrdiff_t>(i);
     const std::size_t covered = std::min(step, axis.share.size() - i);

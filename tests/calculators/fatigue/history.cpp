@@ -91,7 +91,7 @@ TEST_SUITE("fatigue.history") {
 
   TEST_CASE("a sine has one life, however it is counted") {
     Axis open;
-    open.quantity = "sample", open.unit = "-", open.at.resize(120);
+    open.quantity = "sample", open.unit = "-", open.at = std::vector<double>(120);
     for (const auto counting : {History::Counting::four_point, History::Counting::hcm, History::Counting::astm}) {
       for (const auto residue : {History::Residue::repeated, History::Residue::half_cycles}) {
         In in = of_part(100, 1e6, 5);
@@ -112,7 +112,7 @@ TEST_SUITE("fatigue.history") {
     turn.period = 2.0 * std::numbers::pi, turn.speed = 10.0 * std::numbers::pi;
     std::vector<double> values;
     for (int i = 0; i < 36; ++i) {
-      turn.at.push_back(i * std::numbers::pi / 18.0);
+      turn.at.add(i * std::numbers::pi / 18.0);
       values.push_back(100.0 * std::sin(turn.at.back()));
     }
     In in = of_part(50, 1e6, 5);
@@ -174,7 +174,7 @@ TEST_SUITE("fatigue.history") {
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal(0.0, 30.0);
     for (int i = 0; i < 200'000; ++i) values.push_back(normal(random));
-    axis.at.resize(values.size());
+    axis.at = std::vector<double>(values.size());
     In in = of_part(100, 1e6, 5);
     in.sigma = series(axis, values), in.residue = History::Residue::half_cycles;
     in.miner = History::MinerRule::elementary;

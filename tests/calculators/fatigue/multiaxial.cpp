@@ -22,7 +22,7 @@ using In = Multiaxial::Input;
 
 Axis samples(std::size_t n) {
   Axis axis;
-  axis.quantity = "sample", axis.unit = "-", axis.at.resize(n);
+  axis.quantity = "sample", axis.unit = "-", axis.at = std::vector<double>(n);
   return axis;
 }
 
@@ -227,9 +227,9 @@ TEST_SUITE("fatigue.multiaxial") {
     turn.step = "crank", turn.quantity = "crank angle", turn.period = 2.0 * std::numbers::pi;
     In in = of_metal(240.0, 150.0);
     for (const std::size_t n : {13U, 72U}) {
-      turn.at.clear();
+      turn.at = {};
       const auto positions = static_cast<double>(n);
-      for (std::size_t i = 0; i < n; ++i) turn.at.push_back(turn.period * static_cast<double>(i) / positions);
+      for (std::size_t i = 0; i < n; ++i) turn.at.add(turn.period * static_cast<double>(i) / positions);
       in.sigma_x = series(turn, sine(n, 100.0, 90.0 / positions));
       CHECK(Multiaxial::fine_enough(in) == (n == 72));
     }

@@ -16,7 +16,7 @@ namespace {
 Axis cycle(std::size_t positions, double period = 2.0 * pi, double start = 0.0) {
   Axis axis{"crank", "angle", "deg", {}, {}, period};
   const auto n = static_cast<double>(positions);
-  for (std::size_t i = 0; i < positions; ++i) axis.at.push_back(start + static_cast<double>(i) * period / n);
+  for (std::size_t i = 0; i < positions; ++i) axis.at.add(start + static_cast<double>(i) * period / n);
   axis.share.assign(positions, 1.0 / n);
   return axis;
 }
@@ -24,14 +24,14 @@ Axis cycle(std::size_t positions, double period = 2.0 * pi, double start = 0.0) 
 Axis open(double from, double to, std::size_t positions) {
   Axis axis{"column", "height", "m", {}, {}, 0.0};
   for (std::size_t i = 0; i < positions; ++i) {
-    axis.at.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(positions - 1));
+    axis.at.add(from + (to - from) * static_cast<double>(i) / static_cast<double>(positions - 1));
   }
   return axis;
 }
 
 Value over(const Axis& axis, const std::function<double(double)>& f) {
   Value series{{{}, &axis}, {}};
-  for (const double at : axis.at) series.si.push_back(f(at));
+  for (const double at : axis.at.numbers()) series.si.push_back(f(at));
   return series;
 }
 
@@ -178,7 +178,7 @@ TEST_SUITE("quantity") {
 
   TEST_CASE("unequal steps are refined at their own positions") {
     Axis axis = cycle(360);
-    for (std::size_t i = 0; i < axis.at.size(); ++i) axis.at[i] += 0.004 * std::sin(7.0 * axis.at[i]);
+    for (std::size_t i = 0; i < axis.at.size(); ++i) axis.at.numbers()[i] += 0.004 * std::sin(7.0 * axis.at[i]);
     const Value series = over(axis, [](double x) { return std::cos(x - 1.234); });
     CHECK(relative(maximum(series).value, 1.0) < 1e-10);
     CHECK(maximum(series).at == doctest::Approx(1.234).epsilon(1e-7));

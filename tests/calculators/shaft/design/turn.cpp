@@ -28,7 +28,7 @@ class Cycle {
  public:
   Cycle() {
     axis_.step = "press", axis_.quantity = "crank angle", axis_.period = 2.0 * pi;
-    for (std::size_t i = 0; i < positions; ++i) axis_.at.push_back(turned(i));
+    for (std::size_t i = 0; i < positions; ++i) axis_.at.add(turned(i));
   }
   template <class Quantity>
   [[nodiscard]] Varying<Quantity> of(const std::function<double(double)>& law) const {

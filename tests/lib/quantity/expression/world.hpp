@@ -14,7 +14,7 @@ namespace loadpath::expression_test {
 inline const Axis& crank() {
   static const Axis axis = [] {
     Axis a{"lever", "crank angle", "deg", {}, std::vector<double>(360, 1.0 / 360.0), 2.0 * std::numbers::pi};
-    for (int i = 0; i < 360; ++i) a.at.push_back(i * std::numbers::pi / 180.0);
+    for (int i = 0; i < 360; ++i) a.at.add(i * std::numbers::pi / 180.0);
     return a;
   }();
   return axis;
@@ -28,7 +28,7 @@ inline const Axis& height() {
 template <class Function>
 Value over(const Axis& axis, Dimension dimension, Function f) {
   Value value{{dimension, &axis}, {}};
-  for (const double at : axis.at) value.si.push_back(f(at));
+  for (const double at : axis.at.numbers()) value.si.push_back(f(at));
   return value;
 }
 

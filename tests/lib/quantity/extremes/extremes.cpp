@@ -16,14 +16,14 @@ Axis turn(std::size_t positions, double bend = 0.0) {
   Axis axis{"crank", "angle", "deg", {}, {}, 2.0 * pi};
   for (std::size_t i = 0; i < positions; ++i) {
     const double even = 2.0 * pi * static_cast<double>(i) / static_cast<double>(positions);
-    axis.at.push_back(even + bend * std::sin(even));
+    axis.at.add(even + bend * std::sin(even));
   }
   return axis;
 }
 
 std::vector<double> waves(const Axis& axis) {
   std::vector<double> si;
-  for (const double t : axis.at) si.push_back(std::cos(t + 0.4) + 0.5 * std::cos(7.0 * t + 0.3) - 0.25);
+  for (const double t : axis.at.numbers()) si.push_back(std::cos(t + 0.4) + 0.5 * std::cos(7.0 * t + 0.3) - 0.25);
   return si;
 }
 
@@ -50,7 +50,7 @@ TEST_SUITE("quantity") {
   TEST_CASE("of a series without negative values the largest is its maximum, but for a constant one its first place") {
     const Axis axis = turn(360);
     std::vector<double> si;
-    for (const double t : axis.at) si.push_back(2.0 + std::cos(t - 1.0));
+    for (const double t : axis.at.numbers()) si.push_back(2.0 + std::cos(t - 1.0));
     CHECK(largest(SeriesView{si, &axis}).value == doctest::Approx(3.0).epsilon(1e-12));
     si.assign(360, 2.0);
     CHECK(largest(SeriesView{si, &axis}).value == 2.0);

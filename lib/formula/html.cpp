@@ -2,6 +2,7 @@
 // two scripts are elements of MathML in this text; what surrounds them is put into elements in the end.
 #include "lib/formula/formula.hpp"
 #include "lib/formula/print.hpp"
+#include "lib/quantity/format.hpp"
 #include "lib/text/markup.hpp"
 
 #include <algorithm>
@@ -223,7 +224,7 @@ class Html : public Notation {
   }
   std::string unit(View pretty) const override { return unit_text(pretty); }
   std::string quantity(View number, View unit) const override {
-    return std::string(number).append(thin_blank) + unit_text(unit);
+    return with_unit(std::string(number), unit_text(unit), thin_blank);
   }
   std::string minus() const override { return "−"; }
   std::string infix(View op) const override { return " " + std::string(sign(op)) + " "; }

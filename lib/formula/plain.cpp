@@ -1,5 +1,6 @@
 #include "lib/formula/formula.hpp"
 #include "lib/formula/print.hpp"
+#include "lib/quantity/format.hpp"
 
 #include <array>
 
@@ -36,7 +37,7 @@ class Plain : public Notation {
   }
   std::string unit(std::string_view pretty) const override { return std::string(pretty); }
   std::string quantity(std::string_view number, std::string_view unit) const override {
-    return std::string(number) + " " + std::string(unit);
+    return with_unit(std::string(number), unit);
   }
   std::string minus() const override { return "−"; }
   std::string infix(std::string_view op) const override { return " " + std::string(sign(op)) + " "; }

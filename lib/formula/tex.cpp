@@ -1,5 +1,6 @@
 #include "lib/formula/formula.hpp"
 #include "lib/formula/print.hpp"
+#include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <array>
@@ -101,7 +102,7 @@ class Tex : public Notation {
   }
   std::string unit(std::string_view pretty) const override { return unit_text(pretty); }
   std::string quantity(std::string_view number, std::string_view unit) const override {
-    return std::string(number) + thin_space() + unit_text(unit);
+    return std::string(number) + (takes_space(unit) ? thin_space() : "") + unit_text(unit);
   }
   std::string minus() const override { return "-"; }
   std::string infix(std::string_view op) const override { return named(op, " " + std::string(op) + " "); }

@@ -12,11 +12,12 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace loadpath {
 namespace {
 
-constexpr std::string_view not_available = "not available";
+constexpr std::string_view not_available = "not available", degree = "°";
 
 bool is_ratio(std::string_view unit) { return unit.empty() || unit == "-" || unit == "1"; }
 
@@ -69,9 +70,8 @@ void append_exact(double value, std::string& text) {
 }
 
 std::string format_quantity(double si, std::string_view unit, int digits) {
-  const std::string number = format_number(in_unit(si, unit), digits);
-  if (is_ratio(unit) || !std::isfinite(si)) return number;
-  return number + " " + pretty_unit(unit);
+  std::string number = format_number(in_unit(si, unit), digits);
+  return std::isfinite(si) ? with_unit(std::move(number), pretty_unit(unit)) : number;
 }
 
 namespace {
@@ -80,9 +80,17 @@ bool is_letter(std::string_view text, std::size_t at) {
   return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
 }
 
-bool is_micrometre(std::string_view unit, std::size_t at) {
-  return unit.substr(at).starts_with("um") && !is_letter(unit, at + 2) && (at == 0 || !is_letter(unit, at - 1));
+/// Whether a unit of a product begins here.
+bool is_unit(std::string_view name, std::string_view unit, std::size_t at) {
+  return unit.substr(at).starts_with(name) && !is_letter(unit, at + name.size()) &&
+         (at == 0 || !is_letter(unit, at - 1));
 }
+
+/// A unit that is written with another sign than in files.
+struct UnitSign {
+  std::string_view name, sign;
+};
+constexpr std::array unit_signs{UnitSign{"um", "µm"}, UnitSign{"deg", degree}};
 
 }  // namespace
 
@@ -94,13 +102,24 @@ std::string pretty_unit(std::string_view unit) {
     if (const std::string power = ahead.take("^") ? ahead.signed_integer() : ""; !power.empty()) {
       for (const char c : power) pretty += c == '-' ? "⁻" : superscripts[static_cast<std::size_t>(c - '0')];
       in = ahead;
-    } else {
-      const bool is_micro = is_micrometre(unit, in.at);
-      const char c = unit[in.at++];
-      pretty += is_micro ? "µ" : c == '*' ? "·" : std::string(1, c);
+      continue;
     }
+    const auto* const sign =
+        std::ranges::find_if(unit_signs, [&](const UnitSign& s) { return is_unit(s.name, unit, in.at); });
+    const char c = unit[in.at];
+    pretty += sign != unit_signs.end() ? sign->sign : c == '*' ? "·" : std::string_view(&unit[in.at], 1);
+    in.at += sign != unit_signs.end() ? sign->name.size() : 1;
   }
   return pretty;
+}
+
+bool takes_space(std::string_view pretty) {
+  return !pretty.empty() && (!pretty.starts_with(degree) || is_letter(pretty, degree.size()));
+}
+
+std::string with_unit(std::string number, std::string_view pretty, std::string_view space) {
+  if (takes_space(pretty)) number += space;
+  return number += pretty;
 }
 
 namespace {

@@ -116,10 +116,7 @@ class Drawing {
     return plan;
   }
 
-  [[nodiscard]] std::string place(std::size_t k) const {
-    if (axis_.unit != "deg") return format_quantity(axis_.at[k], axis_.unit, 4);
-    return format_number(in_unit(axis_.at[k], axis_.unit), 4) + "°";
-  }
+  [[nodiscard]] std::string place(std::size_t k) const { return format_quantity(axis_.at[k], axis_.unit, 4); }
 
   const mechanism::Model& model_;
   const Cycle& cycle_;

@@ -47,11 +47,10 @@ Display::Display(const figure::Scale& scale) : scale_(scale), degrees_(scale.uni
 std::string Display::number(double si) const { return format_number(value(si), display_digits); }
 
 std::string Display::quantity(double si, int power) const {
-  if (printed_ == "deg") return number(si) + "°";
-  if (printed_ == "°" || printed_ == "%") return number(si) + printed_;
+  if (printed_ == "%") return number(si) + printed_;
   if (const std::string_view unit = prefixed(power, printed_); !unit.empty())
     return format_number(value(si) * std::pow(10.0, -power), display_digits) + " " + std::string(unit);
-  return printed_.empty() ? number(si) : number(si) + " " + printed_;
+  return with_unit(number(si), printed_);
 }
 
 std::string Display::title(int power, bool with_meaning) const {

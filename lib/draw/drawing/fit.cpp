@@ -147,9 +147,7 @@ Box on_page(const View& view, const Box& parts, double scale) {
 int digits_of(const figure::Drawing::Value& value) { return value.unit == "mm" && std::fabs(value.si) >= 1.0 ? 5 : 4; }
 
 std::string words_of(const figure::Drawing::Value& value) {
-  std::string number = format_quantity(value.si, value.unit, digits_of(value));
-  if (constexpr std::string_view degrees = " deg"; number.ends_with(degrees))
-    number.replace(number.size() - degrees.size(), degrees.size(), "°");
+  const std::string number = format_quantity(value.si, value.unit, digits_of(value));
   return value.symbol.empty() ? number : say("{1} = {2}", symbol(value.symbol), number).text();
 }
 

@@ -130,8 +130,6 @@ std::string short_value(const Entry& entry) {
   if (std::isfinite(si) && text.find('e') < text.find(' '))  // "2e7 mm⁴"
     text = formula::quantity_plain(written({si, entry.unit, as_typed ? digits : short_digits}));
   if (text.starts_with('-')) text.replace(0, 1, "\u2212");
-  if (constexpr std::string_view degrees = " deg"; text.ends_with(degrees))
-    text.replace(text.size() - degrees.size(), degrees.size(), "°");
   return unbroken(std::move(text));
 }
 

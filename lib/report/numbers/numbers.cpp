@@ -37,11 +37,7 @@ std::string readable(double si, const std::string& unit) {
   return *at;
 }
 
-std::string with_unit(const std::string& number, const std::string& unit) {
-  if (unit == "-" || unit.empty()) return number;
-  const bool is_angle = unit.starts_with("deg");
-  return number + (is_angle ? "\u00B0" + pretty_unit(unit.substr(3)) : "\u00A0" + pretty_unit(unit));
-}
+constexpr std::string_view unbroken_space = "\u00A0";
 
 }  // namespace
 
@@ -59,12 +55,13 @@ std::string safety_number(double value) {
 
 std::string short_quantity(double si, const std::string& unit) {
   const std::string shown = readable(si, unit);
-  return with_unit(short_number(in_unit(si, shown)), shown);
+  return with_unit(short_number(in_unit(si, shown)), pretty_unit(shown), unbroken_space);
 }
 
 std::string short_pair(const account::Quantity& demand, const account::Quantity& capacity) {
   const std::string unit = readable(capacity.si, capacity.unit);
-  return short_number(in_unit(demand.si, unit)) + " / " + with_unit(short_number(in_unit(capacity.si, unit)), unit);
+  return short_number(in_unit(demand.si, unit)) + " / " +
+         with_unit(short_number(in_unit(capacity.si, unit)), pretty_unit(unit), unbroken_space);
 }
 
 std::string utilisation_text(double utilisation) {

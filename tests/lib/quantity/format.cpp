@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 using namespace loadpath;
@@ -69,6 +70,13 @@ TEST_SUITE("quantity") {
     CHECK(pretty_unit("um") == "µm");
     CHECK(pretty_unit("N/(mm*um)") == "N/(mm·µm)");
     CHECK(pretty_unit("lumen") == "lumen");
+    CHECK(format_quantity(std::numbers::pi, "deg") == "180°");
+    CHECK(format_quantity(std::numbers::pi, "deg/m") == "180°/m");
+    CHECK(pretty_unit("N*m/deg") == "N·m/°");
+    CHECK(pretty_unit("degree") == "degree");
+    CHECK(!takes_space("°"));
+    CHECK(takes_space("°C"));
+    CHECK(with_unit("5", "") == "5");
   }
 
   TEST_CASE("the exact text of a number reads back to the same number") {

@@ -39,6 +39,7 @@ struct ModeInfo {
       false;  // the same at any load, as a slenderness: it governs where it fails, or where nothing else does
   bool by_record = false;   // without the record that `judge` takes, no calculator assesses it
   bool by_service = false;  // unseen, it applies if the source of the load rotates or the load varies
+  bool is_fixed = false;    // whether it applies does not depend on the input
   bool by_rest = false;     // unseen, it applies where a load has companions that the step does not take
 };
 
@@ -48,12 +49,27 @@ constexpr bool is_assessable(const ModeInfo& mode) {
          *mode.use != '\0' || *mode.add != '\0';
 }
 
+/// Predicates that many modes have.
+template <class Input>
+constexpr Applies always(const Input&) {
+  return Applies::yes;
+}
+template <class Input>
+constexpr Applies unseen(const Input&) {
+  return Applies::unseen;
+}
+/// Yes where it holds, else not at all.
+constexpr Applies where(bool holds) { return holds ? Applies::yes : Applies::no; }
+/// Yes if an input shows it, else undecided by the input.
+constexpr Applies shown_by(bool holds) { return holds ? Applies::yes : Applies::unseen; }
+
 /// A mode of a calculator with this input. `applies` is called with table values set, at every position of a series.
 template <class Input>
 struct Mode : ModeInfo {
   Applies (*applies)(const Input&);
 
-  constexpr Mode(const char* i, const char* t, Applies (*when)(const Input&)) : ModeInfo{i, t}, applies(when) {}
+  constexpr Mode(const char* i, const char* t, Applies (*when)(const Input&))
+      : ModeInfo{.id = i, .title = t, .is_fixed = when == &unseen<Input> || when == &always<Input>}, applies(when) {}
 
   [[nodiscard]] constexpr Mode judged_by(const char* all) const {
     Mode mode = *this;
@@ -161,19 +177,5 @@ template <class C>
 Applies applies_of(std::size_t mode, const void* input) {
   return C::modes[mode].applies(*static_cast<const typename C::Input*>(input));
 }
-
-/// Predicates that many modes have.
-template <class Input>
-constexpr Applies always(const Input&) {
-  return Applies::yes;
-}
-template <class Input>
-constexpr Applies unseen(const Input&) {
-  return Applies::unseen;
-}
-/// Yes where it holds, else not at all.
-constexpr Applies where(bool holds) { return holds ? Applies::yes : Applies::no; }
-/// Yes if an input shows it, else undecided by the input.
-constexpr Applies shown_by(bool holds) { return holds ? Applies::yes : Applies::unseen; }
 
 }  // namespace loadpath

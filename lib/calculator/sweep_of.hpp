@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 namespace loadpath::detail {
@@ -93,12 +94,13 @@ LOADPATH_LANES void sweep_lanes(const typename C::Input& base, const double* con
   }
 }
 
+/// Without a branch, for the compiler to put into lanes.
 inline bool any_missing(std::span<const InputColumn> columns, std::size_t count) {
-  double any = 0.0;  // NaN once there was one
+  std::uint64_t any = 0;
   for (const InputColumn& c : columns) {
-    for (std::size_t i = 0; i < count; ++i) any = c.si[i] == c.si[i] ? any : c.si[i];
+    for (std::size_t i = 0; i < count; ++i) any |= static_cast<std::uint64_t>(std::isnan(c.si[i]));
   }
-  return std::isnan(any);
+  return any != 0;
 }
 
 /// The columns from `start` on.

@@ -156,6 +156,7 @@ void ColumnParts::ask_first_positions(const PointColumns& points) {
   calculator.survey(record.data.get(), first, no_rules, applies_at, points.count, others.data());
   open_modes.clear();
   for (std::size_t mode = 0; mode < applies.size(); ++mode) {
+    if (calculator.modes[mode].is_fixed) continue;
     bool is_open = false;
     for (std::size_t point = 0; point < points.count; ++point)
       is_open = is_open || (!is_other(points, point) && applies[mode][point] != Applies::yes);

@@ -261,6 +261,12 @@ bool agree(const BodyStatements& stated) {
   });
 }
 
+bool compares_walls(const Project& project, const std::set<std::string>& affected) {
+  const std::vector<Wall> walls = walls_of(project);
+  return walls.size() > 1 &&
+         std::ranges::any_of(walls, [&](const Wall& wall) { return affected.contains(wall.step->name()); });
+}
+
 bool hand_out_facts(Project& project, std::vector<Issue>& issues) {
   std::map<Step*, BodyFacts> facts;
   for (const auto& [body, members] : bodies_of(project)) {

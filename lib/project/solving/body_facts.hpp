@@ -4,6 +4,7 @@
 
 #include "lib/project/project.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct BodyStatements {
 std::vector<BodyStatements> statements_of_bodies(const Project& project);
 /// Whether no step needs the value of another one, or each that does has a reason; of bores, whether they are one.
 bool agree(const BodyStatements& stated);
+
+/// Whether walls under pressure are compared that these steps affect: at another point they may be of one vessel, or
+/// have different pressures.
+bool compares_walls(const Project& project, const std::set<std::string>& affected);
 
 /// After all steps are solved, with the sizes of their bodies: whether they must be solved again because the body has a
 /// less favourable value. A bore that one step has and another has not becomes an issue.

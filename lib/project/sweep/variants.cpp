@@ -150,7 +150,9 @@ bool Variants::solve_first(std::span<const double* const> in, std::size_t n) {
 /// Set up at the first point that is solved; without one the next block is tried.
 void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   const bool solved_twice = project_.passes.size() != project_.order.size() || !project_.beforehand.empty();
-  const bool depends_on_others = leaves_modes(project_) || leaves_elements(project_) || solved_twice;
+  const std::set<std::string> affected = affected_with_bodies(project_, axes_);
+  const bool depends_on_others =
+      leaves_modes(project_) || leaves_elements(project_) || solved_twice || compares_walls(project_, affected);
   if (!depends_on_others && !solve_first(in, n)) return;
   const bool has_kernels = !depends_on_others && (find_kernels(false) || find_kernels(true));
   way_ = has_kernels ? Way::columns : Way::alone;
@@ -173,7 +175,7 @@ bool may_vary(const Project& project, const std::string& path, const std::set<st
 
 /// Whether numbers that vary decide if an input needs a reason: typed values, other steps, what the project states.
 bool compares_with_others(const Step& step, const Project& project, const std::set<std::string>& affected) {
-  if (compares_numbers(step, project)) return true;
+  if (affected.contains(step.name()) && compares_numbers(step, project)) return true;
   const NotedReads reads;
   contradictions(step, project);
   return std::ranges::any_of(reads.paths(), [&](const auto& path) { return may_vary(project, path, affected); });
@@ -214,7 +216,7 @@ bool Variants::find_kernels(bool by_bodies) {
     auto* const calculator = dynamic_cast<CalculatorStep*>(&step);
     std::unique_ptr<PointStep> kernel;
     const bool is_affected = affected.contains(step.name());
-    if (is_affected && (compares_with_others(step, project_, affected) || takes_sizes(step, project_))) return false;
+    if (compares_with_others(step, project_, affected) || (is_affected && takes_sizes(step, project_))) return false;
     if (body_with(step, solved_together_) != nullptr) {
       if (!add_body_step(step)) return false;
       continue;

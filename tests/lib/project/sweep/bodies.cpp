@@ -66,6 +66,16 @@ TEST_SUITE("sweep bodies") {
     CHECK(solved_alone(shaft("\"150 N*m\"", reason, ""), results) == 0);
   }
 
+  TEST_CASE("walls of one vessel are compared at every point") {
+    const std::string text =
+        "[closed]\ncalculator = \"vessel.cylinder\"\np = [\"1.6 MPa\", \"0.2 MPa\", \"2 MPa\"]\nR = \"600 mm\"\n"
+        "delta = \"12 mm\"\nsigma_adm = \"140 MPa\"\nhypothesis = \"membrane\"\n"
+        "[ball]\ncalculator = \"vessel.sphere\"\np = \"1.6 MPa\"\nR = \"600 mm\"\ndelta = \"12 mm\"\n"
+        "sigma_adm = \"140 MPa\"\n";
+    const double pass = account::number(account::State::pass), held = account::number(account::State::not_judged);
+    CHECK(Swept(text, {}, 1, {}, catalogue()).column("state") == std::vector{pass, held, held});
+  }
+
   TEST_CASE("a mechanism, and shafts without stated forces that take its results, are solved in columns") {
     const std::string lever =
         "[lever]\ncalculator = \"mechanism.planar\"\ncrank = { joint = \"O\", speed = \"45 rad/s\", positions = 36 }\n"

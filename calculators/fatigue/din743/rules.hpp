@@ -26,7 +26,7 @@ constexpr auto din743_steel_rules() {
                     const Stress most = is_set(in.sigma_B) ? in.sigma_B : in.R_m;
                     return !(in.sigma_zdW >= most || in.sigma_bW >= most || in.tau_tW >= most);
                   },
-                  "sigma_zdW, sigma_bW, tau_tW", "fatigue limit must be below the tensile strength R_m"}};
+                  "sigma_zdW, sigma_bW, tau_tW, sigma_B, R_m", "fatigue limit must be below the tensile strength R_m"}};
 }
 
 template <class Input>
@@ -126,7 +126,8 @@ constexpr auto din743_load_rules() {
       Rule<Input>{[](const Input& in) {
                     return each_acting(acting_loads(in), [](const auto& a) { return holds_its_cycle(a); });
                   },
-                  "F_zdmax, M_bmax, M_tmax, sigma_zdmax, sigma_bmax, tau_tmax",
+                  "F_zdmax, M_bmax, M_tmax, sigma_zdmax, sigma_bmax, tau_tmax, F_zdm, M_bm, M_tm, sigma_zdm, sigma_bm, "
+                  "tau_tm, F_zda, M_ba, M_ta, sigma_zda, sigma_ba, tau_ta",
                   "the maximum load must be at least mean plus amplitude"},
       Rule<Input>{&has_typed_factors<Input>, "alpha_zd, alpha_b, alpha_t, beta_zd, beta_b, beta_t, notch",
                   "give the factor of each acting stress: alpha_... or beta_..., by the notch type"}};

@@ -235,7 +235,7 @@ r_T = 0
                   &loose_thrust},
       Rule<Input>{&speeds_agree, "n, seats", "all components of a shaft must have the same speed, not zero"},
       Rule<Input>{&notches_fit, "notches, pieces, r_T, group", "the notches must match the shaft", &misfit},
-      Rule<Input>{&connections_match, "seats, pieces", "connections must match the diameter of the shaft",
+      Rule<Input>{&connections_match, "seats, pieces, R_m", "connections must match the diameter of the shaft",
                   &other_diameter},
       Rule<Input>{&notches_apart, "notches, pieces, seats", "notches must be far enough apart", &crowd, true},
       Rule<Input>{&keyways_in_hubs, "notches, seats", "a keyway must lie within its hub", &keyway_beyond_hub, true},

@@ -247,8 +247,7 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
     if (const auto value = evaluate_operand(operand, name(), known, issues)) operand.leaf.set(value->si[0]);
   }
   if (has_errors({issues.begin() + static_cast<std::ptrdiff_t>(before), issues.end()})) return;
-  const auto& operands = input().reading.operands;
-  if (std::any_of(operands.begin(), operands.end(), is_pending)) {
+  if (!is_known()) {
     const auto faults = faults_of_values({});
     add_faults(faults, issues);
     if (!faults.empty()) return;

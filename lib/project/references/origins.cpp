@@ -242,6 +242,8 @@ class OriginCheck {
     std::set<std::string> paths;
     for (const auto& reference : operand.expression.references()) paths.insert(reference.path);
     if (paths.size() != 1 || project_.find(split_step(*paths.begin()).first) == nullptr) return;
+    const Value* const source = project_.value(*paths.begin());
+    if (source == nullptr || !source->signature.dimension.is_number()) return;  // not a ratio
     const double ratio = std::abs(magnitude_at(project_, *paths.begin())),
                  own = std::abs(magnitude_of(operand, project_));
     const auto is = [&](double other) { return is_near(own, other, most_apart); };

@@ -5,6 +5,7 @@
 #include "lib/project/references/references.hpp"
 #include "lib/quantity/format.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -74,7 +75,7 @@ class Check {
 
   void run() {
     for (const Operand& operand : step_.input().reading.operands) {
-      if (operand.leaf.field->is_load && !operand.expression.references().empty()) take(operand);
+      if (operand.leaf.field->is_load && comes_from_load(operand)) take(operand);
     }
     for (const Taken& taken : step_.input().reading.taken) {
       if (taken.field != nullptr && taken.field->type == FieldInfo::Type::list)
@@ -86,6 +87,16 @@ class Check {
   }
 
  private:
+  /// Whether a load, a factor, or a value of [values] is taken: sizes hold no factor.
+  [[nodiscard]] bool comes_from_load(const Operand& operand) const {
+    return std::ranges::any_of(operand.expression.references(), [&](const auto& reference) {
+      const auto [name, rest] = split_step(reference.path);
+      const Step* const step = project_.find(name);
+      const FieldInfo* const field = step == nullptr ? nullptr : field_of_factor(*step, rest);
+      return field == nullptr || field->is_factor || carries_factors(*field);
+    });
+  }
+
   void take(const Operand& operand) {
     auto factors = operand.expression.factors([&](const std::string& path) { return factors_at(project_, path); });
     Load load{operand.path, operand.text, operand.place, {}};

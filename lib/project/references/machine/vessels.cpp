@@ -25,6 +25,8 @@ bool hands_over(const Step& step, std::string_view key) {
   return field != nullptr && field->is_handed_over;
 }
 
+bool is_wall(const Step& step) { return std::string_view(step.input().calculator->id).starts_with("vessel."); }
+
 /// The first step that hands over such a record; null if there is none.
 const Step* step_with(const Project& project, std::string_view key) {
   const auto found = std::ranges::find_if(project.steps, [&](const auto& step) { return hands_over(*step, key); });
@@ -88,8 +90,10 @@ void compare_vacuum(const Step& step, const Project& project, std::vector<Reduce
   if (find_field(fields, "wall") == nullptr || find_field(fields, "p_e") == nullptr) return;
   if (!step.input().reading.typed.contains("delta") || takes_record(step, "wall")) return;
   const auto named = steps_named_in(step.input().reading);
+  const auto is_one = [&](const std::string& name) { return is_wall(*project.find(name)); };
   const auto has_record = [&](const std::string& name) { return hands_over(*project.find(name), "wall"); };
-  if (!named.empty() && std::ranges::none_of(named, has_record)) return;  // of a wall without a record, by its sizes
+  const bool takes_sizes = std::ranges::any_of(named, is_one) && std::ranges::none_of(named, has_record);
+  if (takes_sizes) return;  // of a wall without a record
   const Step* const wall = step_with(project, "wall");
   if (wall == nullptr) return;
   found.push_back({"delta", say("this step does not refer to '{1}', whose diameter, thickness and allowance it has: "
@@ -166,8 +170,6 @@ bool are_of_one_vessel(const Step& wall, const Step& other) {
   const std::string pressure = shared_pressure(wall);
   return !pressure.empty() && pressure == shared_pressure(other);
 }
-
-bool is_wall(const Step& step) { return std::string_view(step.input().calculator->id).starts_with("vessel."); }
 
 /// The allowable stress of a wall without a material, next to another one of its vessel.
 void compare_wall(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {

@@ -58,6 +58,7 @@ TEST_SUITE("project: values of other steps") {
     CHECK(found(motion("=1/abs(t.i)")).empty());
     CHECK(found(motion("=2*abs(t.i)")) == "i");
     CHECK(found(motion("=4 + 0*abs(t.i)")).empty());
+    CHECK(found(motion("=5 * (t.n_1/t.n_1)")).empty());  // a speed is not a ratio
   }
 
   TEST_CASE("a component of a force next to its magnitude") {

@@ -114,10 +114,14 @@ TEST_SUITE("project: walls of one vessel") {
     CHECK(found(shell() + outside("D_a = \"1224 mm\"\nc = \"1 mm\""), "vac").empty());
     CHECK(found(shell() + outside("wall = \"=shell.wall\""), "vac").empty());
     CHECK(found(shell() + outside("D_a = \"1224 mm\"\ndelta = \"=shell.delta\"\nc = \"1 mm\""), "vac") == "delta");
-    const std::string disc = example_of("machine.disc");
-    const std::string name = disc.substr(1, disc.find(']') - 1);
-    CHECK(found(shell() + disc + "\n" + outside("D_a = \"=" + name + ".D\"\ndelta = \"12 mm\"\nc = \"1 mm\""), "vac")
-              .empty());
+    const auto of_step = [](const std::string& step, const std::string& D_a) {
+      return found(shell() + step + outside("D_a = \"" + D_a + "\"\ndelta = \"12 mm\"\nc = \"1 mm\""), "vac");
+    };
+    const std::string ball =
+        "[ball]\ncalculator = \"vessel.sphere\"\np = \"1 MPa\"\nR = \"612 mm\"\ndelta = \"9 mm\"\n";
+    CHECK(of_step(ball, "=2*ball.R").empty());
+    const std::string bar = "[bar]\ncalculator = \"section.rectangle\"\nb = \"1 mm\"\nh = \"1 mm\"\n";
+    CHECK(of_step(bar, "=1224 mm * (bar.h/bar.b)") == "delta");
   }
 
   TEST_CASE("a wall without the liquid of another one of its vessel") {

@@ -118,14 +118,19 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
   return bolder;
 }
 
-/// Whether a result is the same in other results; NaN equals NaN.
+bool is_equal_but_for_rounding(double x, double y) {
+  constexpr double rounding = 1e-12;
+  return x == y || std::abs(x - y) <= rounding * std::max(std::abs(x), std::abs(y));
+}
+
+/// Whether a result is the same in other results; NaN equals NaN. The calculation in words may round otherwise.
 bool is_same_in(const Results& others, const ResultSeries& series) {
   const auto is_it = [&](const ResultSeries& other) { return other.path == series.path; };
   const auto other = std::find_if(others.series.begin(), others.series.end(), is_it);
   if (other == others.series.end()) return false;
   const std::vector<double>&a = series.value.si, &b = other->value.si;
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](double x, double y) { return x == y || (x != x && y != y); });
+                    [](double x, double y) { return is_equal_but_for_rounding(x, y) || (x != x && y != y); });
 }
 
 /// Evaluates with the neighbour in place of the typed value.

@@ -3,6 +3,7 @@
 #include "lib/numerics/magnitude.hpp"
 #include "lib/project/run/search/joint_search.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -78,11 +79,38 @@ bool JointSearch::exchange_once(SizeIndices& least, const SizeIndices& floors, s
   return improved;
 }
 
+/// One size a few steps larger for another one that is smaller by as little as makes up for it, or a little more;
+/// whether it found cheaper ones.
+bool JointSearch::exchange_pairs(SizeIndices& least, const SizeIndices& floors) {
+  constexpr std::size_t most_raised = 3, more = 2;
+  const SizeIndices firsts = sizes_.firsts();
+  sizes_.set(least);
+  const SizeIndices centre = sizes_.now();
+  double lowest = sizes_.cost();
+  bool improved = false;
+  for (const std::size_t larger : firsts) {
+    const std::size_t room = sizes_.sizes(larger).size() - centre[larger] - 1;
+    for (std::size_t up = 1; up <= std::min(most_raised, room); ++up) {
+      const SizeIndices raised = with_group(centre, larger, centre[larger] + up);
+      for (const std::size_t smaller : firsts) {
+        std::size_t left = more + 1;
+        for (std::size_t at = centre[smaller]; smaller != larger && left > 0 && at-- > floors[smaller];) {
+          const SizeIndices tried = with_group(raised, smaller, at);
+          if (!is_cheaper(tried, lowest)) continue;
+          --left;
+          improved = takes_cheaper(tried, least, lowest) || improved;
+        }
+      }
+    }
+  }
+  return improved;
+}
+
 void JointSearch::exchange(SizeIndices& least) {
   const std::size_t reach = reach_of(sizes_.firsts().size());
   if (reach == 0) return;
   const SizeIndices floors = floors_below(least);
-  while (exchange_once(least, floors, reach)) lower_alone(least);
+  while (exchange_once(least, floors, reach) || exchange_pairs(least, floors)) lower_alone(least);
   sizes_.set(least);
 }
 

@@ -86,7 +86,9 @@ class Grid {
 
   [[nodiscard]] std::string written(bool with_caption) const {
     const std::string head = heads();
-    std::string out = "{" + widths_.type + "\n\\begin{longtable}{@{}" + columns() + "@{}}\n";
+    constexpr std::size_t many = 16;  // columns of short numbers, whose symbols need the room between them
+    const std::string close = columns_.size() > many ? "\\setlength{\\tabcolsep}{3pt}" : "";
+    std::string out = "{" + widths_.type + close + "\n\\begin{longtable}{@{}" + columns() + "@{}}\n";
     if (with_caption)
       out += "\\lpcaption{" + std::to_string(columns_.size()) + "}{" + latex_text(table_.caption.text()) + "}\n";
     out += "\\toprule\n" + head + "\\endfirsthead\n\\toprule\n" + head + "\\endhead\n\\bottomrule\n\\endfoot\n";

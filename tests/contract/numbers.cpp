@@ -63,7 +63,8 @@ std::vector<Number> numbers_of(const Tree& top, const project::Project& project)
       const std::string& key = table.entries[k].key;
       const FieldInfo* const field = find_field(step->input().calculator->input->fields, key);
       const bool is_formula = field != nullptr && field->type == FieldInfo::Type::formula;
-      if (!is_general_key(*step->input().calculator, key))
+      const bool is_word = field != nullptr && field->type == FieldInfo::Type::choice;  // "2019", an edition
+      if (!is_word && !is_general_key(*step->input().calculator, key))
         find_numbers(table.entries[k].value, {{i, k}, step->name() + "." + key, is_formula}, found);
     }
   }

@@ -118,19 +118,14 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
   return bolder;
 }
 
-bool is_equal_but_for_rounding(double x, double y) {
-  constexpr double rounding = 1e-12;
-  return x == y || std::abs(x - y) <= rounding * std::max(std::abs(x), std::abs(y));
-}
-
-/// Whether a result is the same in other results; NaN equals NaN. The calculation in words may round otherwise.
+/// Whether a result is the same in other results; NaN equals NaN.
 bool is_same_in(const Results& others, const ResultSeries& series) {
   const auto is_it = [&](const ResultSeries& other) { return other.path == series.path; };
   const auto other = std::find_if(others.series.begin(), others.series.end(), is_it);
   if (other == others.series.end()) return false;
   const std::vector<double>&a = series.value.si, &b = other->value.si;
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](double x, double y) { return is_equal_but_for_rounding(x, y) || (x != x && y != y); });
+                    [](double x, double y) { return x == y || (x != x && y != y); });
 }
 
 /// Evaluates with the neighbour in place of the typed value.
@@ -312,6 +307,8 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
   std::stable_partition(all.begin(), all.end(),
                         [&](const Neighbour& neighbour) { return reason_of(neighbour) == nullptr; });
   const bool has_results = !results.series.empty();
+  // The calculation in words may round otherwise than the ones that it is compared with.
+  const Results as_typed = all.empty() || !has_results ? Results{} : evaluate_all(evaluation);
   for (const Neighbour& neighbour : all) {
     const Typed* const reason = reason_of(neighbour);
     const Message excess = excess_of(evaluation, neighbour);
@@ -328,7 +325,7 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
                                say("{1}; give the reason: because.{2} = \"...\"", excess, neighbour.path)};
     const bool is_far = neighbour.kind == FieldRole::usual && is_far_from_usual(evaluation, neighbour);
     const bool only_changes =
-        mark_decided(results, results_with(evaluation, neighbour), bolder, neighbour.kind, is_far, weighed);
+        mark_decided(as_typed, results_with(evaluation, neighbour), bolder, neighbour.kind, is_far, weighed);
     const bool goes_on = neighbour.kind != FieldRole::usual || is_concluded_elsewhere(step, wanted.taken);
     const bool stays = is_of_row(evaluation, neighbour.path);
     if (((only_changes && goes_on) || stays) && reason == nullptr) weighed.handed_on.push_back(bolder);

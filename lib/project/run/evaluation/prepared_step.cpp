@@ -217,6 +217,17 @@ const Provided* row_without_value(const RuleInfo& rule, const Record& record, co
   return nullptr;
 }
 
+/// Whether a rule would hold if rows had all the values that they were to fill.
+bool holds_with_rows(const Calculator& calculator, std::size_t rule, const Record& record,
+                     const std::vector<Provided>& all) {
+  const Record filled = record.clone();
+  for (const Provided& provided : all) {
+    const Leaf leaf = find_leaf(filled, provided.path);
+    if (!provided.row.empty() && std::isnan(leaf.get())) leaf.set(100.0 * provided.field->factor);
+  }
+  return calculator.holds(rule, filled.data.get());
+}
+
 /// A row that has no value for an input, or none for the size of the part.
 Issue issue_of_missing_value(const StepInput& input, const Provided& provided, const Record& record) {
   const FieldInfo& field = *provided.field;
@@ -245,7 +256,8 @@ Issue issue_of_missing_value(const StepInput& input, const Provided& provided, c
 
 Issue PreparedStep::broken_rule(std::size_t rule, const Record& record, const std::vector<Provided>& provided) const {
   const Calculator& calculator = *input().calculator;
-  if (const Provided* missing = row_without_value(calculator.rules[rule], record, provided))
+  const Provided* const missing = row_without_value(calculator.rules[rule], record, provided);
+  if (missing != nullptr && holds_with_rows(calculator, rule, record, provided))
     return issue_of_missing_value(input(), *missing, record);
   FieldFault fault = calculator.fault_of(rule, record.data.get());
   if (!calculator.rules[rule].only_warns) add_help(input(), calculator.rules[rule], record, fault);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -26,11 +27,21 @@ class Places {
   /// The numbers; empty for samples.
   [[nodiscard]] std::span<const double> numbers() const { return si_; }
   [[nodiscard]] std::span<double> numbers() { return si_; }
-  [[nodiscard]] std::vector<double> values() const;
+  [[nodiscard]] std::vector<double> values() const {
+    return samples_.empty() ? si_ : std::vector<double>(samples_.begin(), samples_.end());
+  }
 
   void reserve_samples(std::size_t count) { samples_.reserve(count); }
   /// Behind the last one. Samples beyond the range of 32 bits become numbers, as do those before them.
-  void add_sample(std::uint64_t number);
+  void add_sample(std::uint64_t number) {
+    if (si_.empty() && number <= std::numeric_limits<std::uint32_t>::max()) {
+      samples_.push_back(static_cast<std::uint32_t>(number));
+      return;
+    }
+    if (si_.empty()) si_ = values();
+    samples_ = {};
+    si_.push_back(static_cast<double>(number));
+  }
   void add(double si) { si_.push_back(si); }
 
   bool operator==(const Places&) const = default;

@@ -39,7 +39,7 @@ std::optional<double> place_on(const Axis& axis, double at) {
     const double turns = (at - first) / axis.period;
     return first + (turns - std::floor(turns)) * axis.period;
   }
-  const auto [low, high] = std::minmax(first, axis.at.back());
+  const auto [low, high] = std::minmax({first, axis.at.back()});
   // The last position is computed, the place is typed: they may differ in the last digits.
   const double slack = 1e-9 * (high - low);
   if (!(at >= low - slack && at <= high + slack)) return {};

@@ -39,15 +39,15 @@ inline std::vector<Run> runs_of(const std::vector<bool>& positions, bool so, boo
   return runs;
 }
 
-/// A limit that is known better than the positions show it: "124.47 deg", to the hundredth of its unit.
+/// A limit that is known better than the positions show it: "124.47°", to the hundredth of its unit.
 inline std::string limit_text(double at, const std::string& unit) {
   const double hundredths = std::round(100.0 * in_unit(at, unit));
-  return format_number(hundredths == 0.0 ? 0.0 : 0.01 * hundredths, 9) + " " + pretty_unit(unit);
+  return with_unit(format_number(hundredths == 0.0 ? 0.0 : 0.01 * hundredths, 9), pretty_unit(unit));
 }
 
 inline std::string place_of(std::size_t k, const Axis& axis) { return format_quantity(axis.at[k], axis.unit, 5); }
 
-/// "between 30 deg and 60 deg", the longest run where more than one is, with their number.
+/// "between 30° and 60°", the longest run where more than one is, with their number.
 inline Message range_of(const std::vector<bool>& positions, bool so, const Axis& axis) {
   const auto runs = runs_of(positions, so, axis.cyclic());
   const auto longest =

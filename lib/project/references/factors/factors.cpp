@@ -87,13 +87,15 @@ class Check {
   }
 
  private:
-  /// Whether a load, a factor, or a value of [values] is taken: sizes hold no factor.
+  /// Whether a load, a factor, or a value of [values] is taken: lengths and numbers hold no factor.
   [[nodiscard]] bool comes_from_load(const Operand& operand) const {
     return std::ranges::any_of(operand.expression.references(), [&](const auto& reference) {
       const auto [name, rest] = split_step(reference.path);
       const Step* const step = project_.find(name);
       const FieldInfo* const field = step == nullptr ? nullptr : field_of_factor(*step, rest);
-      return field == nullptr || field->is_factor || carries_factors(*field);
+      if (field == nullptr || field->is_factor || carries_factors(*field)) return true;
+      const auto& exponents = field->dimension.twelfths;
+      return exponents[Dimension::mass] != 0 || exponents[Dimension::time] != 0;
     });
   }
 

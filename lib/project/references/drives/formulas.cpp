@@ -147,9 +147,10 @@ class Formulas {
     const double share = std::abs(formula.product.number) / usual_number(formula, field);
     if (formula.application_factors < 0 && compare_cancelled(operand, formula)) return;
     const bool is_compared = share > 0.0 && share < least_share && !is_multiple_of_one(formula, field);
-    if (!is_compared || (states_share(step_, operand) && !has_other_count(share)) ||
+    if (!is_compared || (states_share(step_, operand) && !has_other_count(share) && !cancels_factor(share)) ||
         is_half_of_two(step_, operand, share) || is_count_of_parts(step_, project_, operand, share))
       return;
+    if (cancels_factor(share) && compare_cancelled(operand, formula)) return;
     const double whole = std::abs(own_value(step_, project_, operand.path)) / share;
     const auto values_of = [&](const Operand& other) {
       const auto of_other = formula_of(other, project_);
@@ -158,11 +159,15 @@ class Formulas {
     if (!(whole > 0.0)) return;
     if (taken_in_parts(project_, formula.values, whole, field.dimension, values_of) >= least_share * whole) return;
     if (is_lower_end(operand)) return;
-    const double K_A = own_value(step_, project_, "K_A");
-    if (is_near(share * K_A, 1.0, 1e-3) && compare_cancelled(operand, formula)) return;
     add(operand.path, say("{1} is {2} times the result of its formula, and no input takes the rest: refer to a value "
                           "that states the share or the number of parts, or justify it: {3} = \"...\"",
                           operand.path, format_number(share, 4), because_key(operand.path)));
+  }
+
+  /// "T_drum = F*d/2/1.4" next to K_A = 1.4; a whole number is that of parts.
+  [[nodiscard]] bool cancels_factor(double share) const {
+    const double K_A = own_value(step_, project_, "K_A");
+    return is_near(share * K_A, 1.0, 1e-3) && !is_near(K_A, std::round(K_A), 1e-3);
   }
 
   /// "n_chains = 2" next to a value that is a quarter: its count is another one.

@@ -171,4 +171,15 @@ TEST_SUITE("project: parts of formulas") {
     CHECK(wall("10 MPa").empty());
     CHECK(wall("=values.p").empty());
   }
+
+  TEST_CASE("a named torque that is divided by the application factor of its shaft and its key") {
+    const std::string drum = "F = \"12 kN\"\nd = \"240 mm\"\nT_drum = \"=values.F*values.d/2/1.4\"\n";
+    const std::string both =
+        shaft("=values.T_drum", "K_A = 1.4\n") + "\n" + example_of("shaft.key", "T = \"=values.T_drum\"\nK_A = 1.4");
+    CHECK(found(drum, both) == "T");
+    CHECK(found(drum, shaft("=values.T_drum", "K_A = 1.5\n")).empty());
+    CHECK(found("F = \"12 kN\"\nd = \"240 mm\"\nT_half = \"=values.F*values.d/2/2\"\n",
+                shaft("=values.T_half", "K_A = 2\n"))
+              .empty());
+  }
 }

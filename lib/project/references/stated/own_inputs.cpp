@@ -239,11 +239,18 @@ class OwnInputs {
     return name == "kind" && rows.contains("bearing") && !step_.input().reading.typed.contains(name);
   }
 
-  /// The name of a material that no step has, and whose strength is below that of the step.
+  /// Whether a material is that of this step, whose strength is typed, by its word: "steel_pin" of a step "pin".
+  [[nodiscard]] bool is_of_this_step(const std::string& name) const {
+    const std::string last = name.substr(name.rfind('_') + 1);
+    return material_of(step_).empty() && last.size() < name.size() && is_named(step_, last);
+  }
+
+  /// The name of a material that no other step has, and whose strength is below that of the step.
   void compare_material(const std::string& name, const std::string& word) {
     const std::string here = material_of(step_);
-    const bool is_elsewhere =
-        std::ranges::any_of(project_.steps, [&](const auto& other) { return material_of(*other) == word; });
+    const bool is_elsewhere = !is_of_this_step(name) && std::ranges::any_of(project_.steps, [&](const auto& other) {
+      return material_of(*other) == word;
+    });
     const auto row = project_.tables->find_row("material", word);
     const double by_name = row ? std::nan("") : yield_by_designation(word);
     if (is_elsewhere || (!row && std::isnan(by_name) && (here.empty() || name != "material"))) return;

@@ -67,6 +67,7 @@ class SizesOfParts {
     const std::string part = is_of_side ? name.substr(0, name.rfind('_')) : name;
     const std::size_t end = part.rfind('_');
     const bool is_of_motor = name.ends_with("_pulley");  // which is a part of the drive
+    if (name.ends_with("_small") && find_field(step_.input().calculator->input->fields, part) != nullptr) return true;
     if (end == std::string::npos || (is_of_other_state(name) && !is_of_motor) || has_word(name, {"max"})) return false;
     const std::string_view word = std::string_view(part).substr(end + 1), family = family_of(name);
     if (dimension.is_number()) return family == "mu" || (family == "z" && (is_gear(word) || is_named(step_, word)));
@@ -79,7 +80,9 @@ class SizesOfParts {
     const bool is_way = family == "lL" && (id_of(step_).starts_with("belt.") || id_of(step_).starts_with("chain."));
     const bool is_pulley = family == "dDrR" && has_word(word, {"pulley", "sprocket", "sheave"}) &&
                            (id_of(step_).starts_with("belt.") || id_of(step_).starts_with("chain."));
-    return (dimension == length && (is_of_state(word) || is_pulley)) ||
+    const bool is_weakest =
+        family == "dDrR" && has_word(name, {"neck", "groove", "undercut", "relief"});  // "d_neck_nut"
+    return (dimension == length && (is_of_state(word) || is_weakest || is_pulley)) ||
            (word.size() > 2 && !is_of_rows && !is_way && is_named(step_, word));
   }
 

@@ -68,6 +68,12 @@ TEST_SUITE("project: inputs stated otherwise") {
     check(steel + "\n" + renamed(with_lines(column(), "material = \"S235\""), "other"), {{"material = \"S235\"", ""}});
   }
 
+  TEST_CASE("the name of the material of one step that another step has, too") {
+    const std::string pin = renamed(example_of("pin.joint", "R_m = \"900 MPa\""), "pin");
+    const std::string other = "\n" + with_lines(column(), "material = \"S235\"");
+    check(pin + other, {{"steel_pin = \"S235\"", "R_m"}, {"steel_bar = \"S235\"", ""}, {"steel = \"S235\"", ""}});
+  }
+
   TEST_CASE("strengths: those of the step are not above the stated ones") {
     const std::string life = example_of("fatigue.life");  // sigma_D = 190 MPa
     for (const std::string key : {"R_m", "R_e", "sigma_D"})

@@ -61,4 +61,9 @@ TEST_SUITE("project: sizes of parts") {
     check(example_of("bearing.rolling", "title = \"Wheel bearing\""), {{"D_wheel = \"200 mm\"", ""}});
     check(example_of("chain.roller", "title = \"Chain of a conveyor\""), {{"L_conveyor = \"8 m\"", ""}});
   }
+
+  TEST_CASE("the smaller pulley, and a neck with another word") {
+    check(example_of("belt.flat"), {{"d_1_small = \"90 mm\"", "d_1"}, {"x_1_small = \"90 mm\"", ""}});
+    check(example_of("shaft.press_fit"), {{"D_neck_nut = \"75 mm\"", "D"}, {"D_nut_max = \"75 mm\"", ""}});
+  }
 }

@@ -101,7 +101,7 @@ TEST_SUITE("cli why") {
   TEST_CASE("a series is explained by its extremes and their places") {
     const Ran told = why(press_of_heavy_rod, "press.links.rod.N");
     CHECK(told.code == 0);
-    CHECK(contains(told.out, "\n  links.rod.N  -172.718 N (at 180 deg) to 222.066 N (at "));
+    CHECK(contains(told.out, "\n  links.rod.N  -172.718 N (at 180°) to 222.066 N (at "));
   }
 
   TEST_CASE("a missing value is explained as missing") {

@@ -205,7 +205,7 @@ class ValueCheck {
     if (!(angle < 0.5 * pi)) {
       return add("segments",
                  say("the face swings to {1} from the line between its pivot and the cam's axis, and touches the cam "
-                     "up to 90 deg",
+                     "up to 90°",
                      format_quantity(angle, "deg", 5)),
                  say("make the swing smaller, or move the pivot out"));
     }

@@ -98,7 +98,7 @@ TEST_SUITE("machine flywheel") {
         {rest + "M_of_phi = \"5 N*t\"\n", "t"},
         {rest + "M_of_phi = \"5 N\"\n", "moment"},
         {rest + "M_of_phi = \"5 N*m/sin(phi)\"\n", "no value"},
-        {rest + "M_of_phi = \"5 N*m*tan(phi)\"\n", "no value at phi = 90 deg"},
+        {rest + "M_of_phi = \"5 N*m*tan(phi)\"\n", "no value at phi = 90°"},
         {rest + "M_of_phi = \"5 N*m*tan(phi + 0.1 deg)\"\n", "jumps"},
         {rest + "M_of_phi = \"10 N*m + 5 N*m*sin(1440*phi)\"\n", "too fast to be followed"},
         {rest + "points = [[\"9 deg\", \"1 N*m\"], [\"0 deg\", \"2 N*m\"]]\n", "none below the one before"},

@@ -159,7 +159,7 @@ TEST_SUITE("machine motion") {
          {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM_of_phi = \"1 N*m*phi/(1 rad)\"\n",
           "does not repeat"},
          {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM_of_phi = \"60 N*m + 30 N*m*sin(phi/2)\"\n",
-          "it is 71.48 N·m at 45 deg, and 48.52 N·m a period later"},
+          "it is 71.48 N·m at 45°, and 48.52 N·m a period later"},
          {"M_A = \"1 N*m\"\nn_0 = \"9 rpm\"\nJ_F = \"1 kg*m^2\"\nM_of_phi = \"60 N*m + 30 N*m*cos(720*phi)\"\n",
           "too fast to be followed"}});
   }

@@ -145,7 +145,7 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
     // Coupler and rocker in line: law of cosines. The crank angle is that of its own x axis, 90 deg ahead of AB.
     const double b = std::hypot(70.0, 10.0), c = std::hypot(80.0, 90.0), a = 100.0, d = 150.0;
     const double stretched = std::acos((a * a + d * d - (b + c) * (b + c)) / (2.0 * a * d)) * 180.0 / pi;
-    const auto text = [](double at) { return format_number(0.01 * std::round(100.0 * at), 9) + " deg"; };
+    const auto text = [](double at) { return format_number(0.01 * std::round(100.0 * at), 9) + "°"; };
     const std::string stops = "not between " + text(90.0 + stretched) + " and " + text(450.0 - stretched) + ": ";
     for (const int positions : {36, 37, 72, 100, 360}) {
       CAPTURE(positions);

@@ -402,8 +402,8 @@ TEST_SUITE("mechanism template faults") {
         "; change a length, or solve part of a revolution: crank = { at = [\"0 deg\", \"10 deg\"] }";
     const auto part = [](double least, double most) {
       const auto hundredths = [](double at) { return format_number(0.01 * std::round(100.0 * at * 180.0 / pi), 9); };
-      return "; change a length, or solve part of a revolution, between " + hundredths(least) + " deg and " +
-             hundredths(most) + " deg: crank = { at = [...] }";
+      return "; change a length, or solve part of a revolution, between " + hundredths(least) + "° and " +
+             hundredths(most) + "°: crank = { at = [...] }";
     };
     // Law of cosines: where coupler and rocker of 120 mm and 80 mm are in line over a frame of 100 mm.
     const auto folded = [](double a) { return std::acos((a * a + 100.0 * 100.0 - 40.0 * 40.0) / (200.0 * a)); };
@@ -462,16 +462,16 @@ TEST_SUITE("mechanism template faults") {
     const std::string at = "at = \"0 deg\"";
     CHECK(
         said(replaced(four_bar, "positions = 12", at), "b = \"120 mm\"", "b = \"160 mm\"") ==
-        "a: 'coupler' (160 mm) and 'rocker' (80 mm) do not meet at a crank angle of 0 deg: their other ends are 60 mm "
+        "a: 'coupler' (160 mm) and 'rocker' (80 mm) do not meet at a crank angle of 0°: their other ends are 60 mm "
         "apart, less than their difference of 80 mm; change a length, or start elsewhere: the mechanism closes between "
-        "49.46 deg and 310.54 deg");  // acos(0.65)
+        "49.46° and 310.54°");  // acos(0.65)
     CHECK(said(replaced(four_bar, "positions = 12", "at = \"180 deg\""), "b = \"120 mm\"", "b = \"50 mm\"") ==
-          "a: 'coupler' (50 mm) and 'rocker' (80 mm) do not meet at a crank angle of 180 deg: their other ends are 140 "
+          "a: 'coupler' (50 mm) and 'rocker' (80 mm) do not meet at a crank angle of 180°: their other ends are 140 "
           "mm apart, more than their sum of 130 mm; change a length, or start elsewhere: the mechanism closes between "
-          "228.51 deg and 491.49 deg");  // acos((40^2 + 100^2 - 130^2)/(2 40 100))
+          "228.51° and 491.49°");  // acos((40^2 + 100^2 - 130^2)/(2 40 100))
     CHECK(said(replaced(slider, "positions = 12", "at = \"90 deg\""), "l = \"200 mm\"", "l = \"45 mm\"") ==
-          "a: 'rod' (45 mm) does not reach its guide, which is 50 mm away at a crank angle of 90 deg; change a length, "
-          "or start elsewhere: the mechanism closes between 115.84 deg and 244.16 deg");  // asin(45/50)
+          "a: 'rod' (45 mm) does not reach its guide, which is 50 mm away at a crank angle of 90°; change a length, "
+          "or start elsewhere: the mechanism closes between 115.84° and 244.16°");  // asin(45/50)
     const Template* loader = find_template(planar_mechanism(), "loader_arm");
     CHECK(said(loader->example, "s_1 = \"1 m\"", "s_1 = \"4 m\"").starts_with("loader: 'arm' ("));
   }

@@ -216,7 +216,7 @@ TEST_SUITE("motion spherical four bar") {
       }
       return all;
     };
-    CHECK(contains(broken_rules(50, 60, 120), "phi_1 = 50 deg is outside the range in use, 60 deg to 120 deg"));
+    CHECK(contains(broken_rules(50, 60, 120), "phi_1 = 50° is outside the range in use, 60° to 120°"));
     CHECK(broken_rules(50, 50, 120).empty());
     CHECK(broken_rules(50, -20, 50).empty());
     CHECK(broken_rules(410, 40, 60).empty());  // a revolution further

@@ -99,11 +99,10 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     REQUIRE(found != verdicts.end());
     CHECK(found->state == account::State::not_covered);
     CHECK(text_of(found->value) == "passed 2 times");
-    CHECK(found->note.text() ==
-          "change point: direction of motion not determined by the drive: B at 180 deg, B at 360 deg");
+    CHECK(found->note.text() == "change point: direction of motion not determined by the drive: B at 180°, B at 360°");
     const account::Table* table = table_of(flat, "Mobility and conditioning");
     REQUIRE(table != nullptr);
-    CHECK(text_of(table->rows[2][0]) == "positions that were followed in small steps; first at 171 deg");
+    CHECK(text_of(table->rows[2][0]) == "positions that were followed in small steps; first at 171°");
     const auto plain = solved(rocker);
     CHECK(table_of(plain, "Mobility and conditioning")->rows.size() == 4);
     const auto& sound = plain.steps[0]->account().verdicts;
@@ -144,7 +143,7 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
 )");
     const account::Table* table = table_of(gears, "Transmission angles");
     REQUIRE(table != nullptr);
-    CHECK(text_of(table->rows[0][1]) == "teeth, pressure angle 20 deg");
+    CHECK(text_of(table->rows[0][1]) == "teeth, pressure angle 20°");
     CHECK(number_of(table->rows[0][2]) == doctest::Approx(70.0 * pi / 180.0));
     CHECK(value(gears, "a.links.wheel.swing") == doctest::Approx(pi));
     CHECK(value(gears, "a.links.wheel.dphi") == doctest::Approx(-0.5));
@@ -208,7 +207,7 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
     const auto& last = table->rows.back();
     CHECK(text_of(last[0]) == "slider");
     CHECK(text_of(last[1]) == "ground");
-    CHECK(text_of(last[2]) == "at infinity, towards 90 deg");
+    CHECK(text_of(last[2]) == "at infinity, towards 90°");
   }
 
   TEST_CASE("other steps take a swing angle as one value") {
@@ -246,7 +245,7 @@ A2 = { links = ["c2", "bar"] }
     }
     const auto& verdicts = project.steps[0]->account().verdicts;
     CHECK(verdicts[0].note.text() ==
-          "change point at 180 deg, 360 deg: the drive does not determine the motion there; choose other positions, "
+          "change point at 180°, 360°: the drive does not determine the motion there; choose other positions, "
           "crank = { "
           "start = \"92.5 deg\" }");
     const auto beside = solved(replaced(parallel, "90 deg\" }\ngravity", "92.5 deg\" }\ngravity"));

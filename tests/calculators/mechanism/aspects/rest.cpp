@@ -165,7 +165,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
     }
     const account::Table* table = table_of(project, "Joints at rest");
     REQUIRE(table != nullptr);
-    CHECK(text_of(table->rows[0][0]) == "0 deg");
+    CHECK(text_of(table->rows[0][0]) == "0°");
   }
 
   TEST_CASE("gears pass on the power times their efficiency, and the flank changes with the sign of the moment") {
@@ -182,7 +182,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
     }
     const account::Table* table = table_of(project, "Loaded flanks");
     REQUIRE(table != nullptr);
-    CHECK(text_of(table->rows[0][1]) == "135 deg, 315 deg");
+    CHECK(text_of(table->rows[0][1]) == "135°, 315°");
   }
 
   TEST_CASE("a worm and a lift: the report states rest without the drive, and the efficiency of the reversed flow") {

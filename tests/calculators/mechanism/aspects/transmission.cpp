@@ -54,7 +54,7 @@ TEST_SUITE("mechanism limits of force transmission") {
     const auto good = solved(rocker("gamma_min = \"40 deg\"\n"));
     const account::Verdict& passed = verdict_of(good, "transmission_B");
     CHECK(std::get<account::Quantity>(passed.value).si == doctest::Approx(between(0.35, 0.3, 0.3)).epsilon(1e-12));
-    CHECK(passed.bound.text() == "at least 40 deg");
+    CHECK(passed.bound.text() == "at least 40°");
     CHECK(passed.state == account::State::pass);
     CHECK(mode_of(good.steps[0]->account().modes, "transmission").state == account::State::pass);
 
@@ -64,7 +64,7 @@ TEST_SUITE("mechanism limits of force transmission") {
     REQUIRE(least < between(0.22, 0.3, 0.3));
     CHECK(std::get<account::Quantity>(failed.value).si == doctest::Approx(least).epsilon(1e-12));
     CHECK(failed.state == account::State::fail);
-    CHECK(failed.note.text() == format_quantity(least, "deg", 4) + " at 180 deg (a: crank angle)");
+    CHECK(failed.note.text() == format_quantity(least, "deg", 4) + " at 180° (a: crank angle)");
     CHECK(mode_of(flat.steps[0]->account().modes, "transmission").state == account::State::fail);
   }
 
@@ -76,7 +76,7 @@ TEST_SUITE("mechanism limits of force transmission") {
 
   TEST_CASE("the limit of a joint replaces that of the mechanism") {
     const auto own = solved(rocker("gamma_min = \"40 deg\"\njoints.B.gamma_min = \"30 deg\"\n", "220 mm"));
-    CHECK(verdict_of(own, "transmission_B").bound.text() == "at least 30 deg");
+    CHECK(verdict_of(own, "transmission_B").bound.text() == "at least 30°");
     const auto alone = solved(rocker("joints.B.gamma_min = \"60 deg\"\n"));
     CHECK(verdict_of(alone, "transmission_B").state == account::State::fail);
   }

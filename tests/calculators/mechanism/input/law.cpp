@@ -80,8 +80,7 @@ TEST_SUITE("mechanism law") {
 
   TEST_CASE("a law that overshoots its points gives a warning, and a monotone one does not") {
     const std::string points = "law = [[\"0 s\", \"0 deg\"], [\"1 s\", \"90 deg\"], [\"2 s\", \"90 deg\"]]";
-    CHECK(says(by(arm, points),
-               "warning: the law swings beyond its points: to 100 deg at 1.333 s, which is 10 deg too far"));
+    CHECK(says(by(arm, points), "warning: the law swings beyond its points: to 100° at 1.333 s, which is 10° too far"));
     const auto calm = solved(by(arm, points + ", law_shape = \"monotone\""));
     CHECK(maximum(*calm.value("a.links.arm.phi")).value == doctest::Approx(pi / 2.0).epsilon(1e-9));
   }

@@ -171,7 +171,7 @@ TEST_SUITE("mechanism cams") {
     CHECK(said("lift = \"12 mm\"", "swing = \"12 deg\"") ==
           "valve.profiles.lobe.segments[1].swing: a profile of shape sliding is defined by 'lift'");
     CHECK(said("angle = \"40 deg\"", "angle = \"50 deg\"") ==
-          "valve.profiles.lobe.segments: the segments cover 370 deg of the cam, and must cover a full revolution");
+          "valve.profiles.lobe.segments: the segments cover 370° of the cam, and must cover a full revolution");
     CHECK(said("\"-12 mm\"", "\"-10 mm\"") ==
           "valve.profiles.lobe.segments: after a revolution the follower is 2 mm away from its initial position");
     CHECK(said("base = \"30 mm\"", "offset = \"45 mm\"\nbase = \"30 mm\"") ==
@@ -219,14 +219,13 @@ TEST_SUITE("mechanism cams") {
           "rocker.profiles.lobe.arm: a profile of the shape swinging_flat takes no 'arm'");
     const std::string wide = replaced(replaced(rocker, "\"15 deg\"", "\"70 deg\""), "\"-15 deg\"", "\"-70 deg\"");
     CHECK(said_of(wide) ==
-          "rocker.profiles.lobe.segments: the face swings to 92.024 deg from the line between its pivot and the cam's "
-          "axis, and touches the cam up to 90 deg");
+          "rocker.profiles.lobe.segments: the face swings to 92.024° from the line between its pivot and the cam's "
+          "axis, and touches the cam up to 90°");
     const std::string fast = replaced(replaced(rocker, "\"15 deg\"", "\"40 deg\""),
                                       "\"140 deg\", swing = \"-15 deg\" },\n  { angle = \"100 deg\"",
                                       "\"60 deg\", swing = \"-40 deg\" },\n  { angle = \"180 deg\"");
     CHECK(said_of(fast).starts_with("rocker.profiles.lobe.segments: at a cam angle of "));
-    CHECK(
-        said_of(fast).ends_with("deg the face swings as fast as the cam turns, or faster, and no profile touches it"));
+    CHECK(said_of(fast).ends_with("° the face swings as fast as the cam turns, or faster, and no profile touches it"));
   }
 
   TEST_CASE("an error in a template's cam is reported under the parameter") {
@@ -241,7 +240,7 @@ TEST_SUITE("mechanism cams") {
     const auto open = told(replaced(arm, "\"-15 deg\"", "\"-14 deg\"")).issues;
     REQUIRE(open.size() == 1);
     CHECK(open[0].key == "a.segments");
-    CHECK(open[0].message.text() == "after a revolution the follower is 1 deg away from its initial position");
+    CHECK(open[0].message.text() == "after a revolution the follower is 1° away from its initial position");
   }
 
   TEST_CASE("a drawing for other programs has the profile on a layer of its own") {

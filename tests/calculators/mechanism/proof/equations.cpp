@@ -137,7 +137,7 @@ TEST_SUITE("mechanism report") {
       CHECK(verdict_of(m.symbol, cycle).state == account::State::pass);
       cycle.proofs[1].disagreement[m.method] = 2e-8;
       CHECK(verdict_of(m.symbol, cycle).state == account::State::fail);
-      CHECK(verdict_of(m.symbol, cycle).note.text() == "at 90 deg");
+      CHECK(verdict_of(m.symbol, cycle).note.text() == "at 90°");
       cycle.proofs[1].condition = 3.0;
       CHECK(verdict_of(m.symbol, cycle).state == account::State::pass);
       cycle.proofs[0].disagreement[m.method] = std::numeric_limits<double>::quiet_NaN();
@@ -150,10 +150,9 @@ TEST_SUITE("mechanism report") {
     CHECK(verdict_of("trustworthy", cycle).state == account::State::pass);
     cycle.proofs[1].motion = 1e-9;
     CHECK(verdict_of("trustworthy", cycle).state == account::State::fail);
-    CHECK(verdict_of("trustworthy", cycle).note.text() == "not trustworthy at 90 deg");
+    CHECK(verdict_of("trustworthy", cycle).note.text() == "not trustworthy at 90°");
     cycle.proofs[0].unbalanced = 1.0;
-    CHECK(verdict_of("trustworthy", cycle).note.text() ==
-          "not trustworthy at 2 positions, first at 0 deg, last at 90 deg");
+    CHECK(verdict_of("trustworthy", cycle).note.text() == "not trustworthy at 2 positions, first at 0°, last at 90°");
     cycle.closed = {false, false};
     CHECK(verdict_of("trustworthy", cycle).state == account::State::not_available);
   }

@@ -64,7 +64,7 @@ crank = { speed = "60 rpm", positions = 72 }
     CHECK(text_of(structure_of(project).rows[1][2]) == "two-link group, class II, order 2, RRP");
     const auto rows = jacobians_of(project);
     REQUIRE(rows.size() == 1);
-    CHECK(text_of(rows[0][0]) == "minimum Jacobian determinant of the group rod, slider, magnitude, at 90 deg");
+    CHECK(text_of(rows[0][0]) == "minimum Jacobian determinant of the group rod, slider, magnitude, at 90°");
     const auto& J = std::get<account::Quantity>(rows[0][1]);
     CHECK(J.si == doctest::Approx(std::sqrt(0.2 * 0.2 - 0.05 * 0.05)).epsilon(1e-12));
     CHECK(J.unit == "m");

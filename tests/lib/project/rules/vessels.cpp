@@ -118,7 +118,8 @@ TEST_SUITE("project: walls of one vessel") {
       return found(shell() + step + outside("D_a = \"" + D_a + "\"\ndelta = \"12 mm\"\nc = \"1 mm\""), "vac");
     };
     const std::string ball =
-        "[ball]\ncalculator = \"vessel.sphere\"\np = \"1 MPa\"\nR = \"612 mm\"\ndelta = \"9 mm\"\n";
+        "[ball]\ncalculator = \"vessel.sphere\"\np = \"1 MPa\"\nR = \"612 mm\"\ndelta = \"9 mm\"\nsigma_adm = \"140 "
+        "MPa\"\n";
     CHECK(of_step(ball, "=2*ball.R").empty());
     const std::string bar = "[bar]\ncalculator = \"section.rectangle\"\nb = \"1 mm\"\nh = \"1 mm\"\n";
     CHECK(of_step(bar, "=1224 mm * (bar.h/bar.b)") == "delta");

@@ -262,9 +262,24 @@ bool agree(const BodyStatements& stated) {
 }
 
 bool compares_walls(const Project& project, const std::set<std::string>& affected) {
+  const auto may_vary = [&](const Wall& wall, const char* name) {
+    if (!affected.contains(wall.step->name())) return false;
+    const Reading& reading = wall.step->input().reading;
+    const Statement stated = statement_of(*wall.step, name);
+    const auto is_it = [&](const auto& one) { return stated.input != nullptr && one.path == stated.input->key; };
+    const auto is_computed = [&](const Operand& operand) { return is_it(operand) && !operand.of_record; };
+    return stated.result != nullptr || std::ranges::any_of(reading.varied, is_it) ||
+           std::ranges::any_of(reading.operands, is_computed);
+  };
+  const auto differ_elsewhere = [&](const Wall& a, const Wall& b) {
+    if (may_vary(a, "radius") || may_vary(b, "radius")) return true;
+    const auto has_other = [&](const char* name) { return may_vary(a, name) || may_vary(b, name); };
+    return has_equal_radius(a, b) && (has_other("pressure") || has_other("allowance"));
+  };
   const std::vector<Wall> walls = walls_of(project);
-  return walls.size() > 1 &&
-         std::ranges::any_of(walls, [&](const Wall& wall) { return affected.contains(wall.step->name()); });
+  return std::ranges::any_of(walls, [&](const Wall& a) {
+    return std::ranges::any_of(walls, [&](const Wall& b) { return a.step != b.step && differ_elsewhere(a, b); });
+  });
 }
 
 bool hand_out_facts(Project& project, std::vector<Issue>& issues) {

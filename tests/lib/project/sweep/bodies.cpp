@@ -74,6 +74,10 @@ TEST_SUITE("sweep bodies") {
         "sigma_adm = \"140 MPa\"\n";
     const double pass = account::number(account::State::pass), held = account::number(account::State::not_judged);
     CHECK(Swept(text, {}, 1, {}, catalogue()).column("state") == std::vector{pass, held, held});
+    std::string sizes = text;
+    sizes.replace(sizes.find("[\"1.6"), std::string("[\"1.6 MPa\", \"0.2 MPa\", \"2 MPa\"]").size(), "\"1.6 MPa\"");
+    sizes.replace(sizes.find("\"12 mm\""), std::string("\"12 mm\"").size(), "[\"12 mm\", \"14 mm\"]");
+    CHECK(solved_alone(sizes, {"closed.sigma_v"}) == 0);
   }
 
   TEST_CASE("a mechanism, and shafts without stated forces that take its results, are solved in columns") {

@@ -88,7 +88,7 @@ TEST_SUITE("moving report in a browser") {
         const figure::Motion::Number number{"", "", result.at("unit").as_string().c_str(), column(result.at("values"))};
         CHECK(number_shown(page, n++) == draw::printed(draw::number_text(number, at)));
       }
-      CHECK(page.find("aria-valuetext=\"" + degrees + " deg\"") != std::string::npos);
+      CHECK(page.find("aria-valuetext=\"" + degrees + "°\"") != std::string::npos);
       const std::string plan = page.substr(page.find("data-plan=\"1\" visibility=\"visible\""));
       drawn.push_back(drawn_at(page, "data-carried=\"0 0"));
       drawn.push_back(drawn_at(page, "data-force=\"2\""));

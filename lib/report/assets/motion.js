@@ -106,7 +106,7 @@ for (const box of document.querySelectorAll(".motion")) {
     }
     box.querySelector("[data-axis]").textContent = minus(places[k]);
     all("[data-number]").forEach((cell, n) => (cell.textContent = minus(texts[n][k])));
-    slider.setAttribute("aria-valuetext", `${places[k]} ${slider.dataset.unit}`);
+    slider.setAttribute("aria-valuetext", `${places[k]}${slider.dataset.unit}`);
   };
   const go = (k) => { slider.value = k; show(k); };
 
@@ -126,7 +126,7 @@ for (const box of document.querySelectorAll(".motion")) {
   slider.addEventListener("input", () => { stop(); show(+slider.value); });
   if (choice) choice.addEventListener("change", () => show(+slider.value));
   button.hidden = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  slider.setAttribute("aria-valuetext", `${places[still]} ${slider.dataset.unit}`);
+  slider.setAttribute("aria-valuetext", `${places[still]}${slider.dataset.unit}`);
   box.querySelector(".controls").hidden = last === 0;
 
   // report.html#position=90 opens at 90 degrees.

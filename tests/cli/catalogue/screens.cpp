@@ -133,8 +133,8 @@ TEST_SUITE("cli describe" * by_case * takes_share) {
   TEST_CASE("an input has unit, bounds, usual range, sources, users and an example") {
     const std::string twist = loadpath_with({"describe", "shaft.torsion", "theta_adm"}).out;
     CHECK(contains(twist, "  unit       deg/m\n"));
-    CHECK(contains(twist, "  bounds     > 0 deg/m\n"));
-    CHECK(contains(twist, "  usual      0.02 deg/m to 10 deg/m\n"));
+    CHECK(contains(twist, "  bounds     > 0°/m\n"));
+    CHECK(contains(twist, "  usual      0.02°/m to 10°/m\n"));
     CHECK(contains(twist, "(twist)\n"));
     CHECK(contains(twist, "  example    theta_adm = \"0.004 rad/m\"\n"));
     CHECK(contains(loadpath_with({"describe", "shaft", "torsion", "G"}).out,

@@ -247,7 +247,7 @@ A2 = { links = ["c2", "bar"] }
     CHECK(verdicts[0].note.text() ==
           "change point at 180°, 360°: the drive does not determine the motion there; choose other positions, "
           "crank = { "
-          "start = \"92.5 deg\" }");
+          "start = \"92.5°\" }");
     const auto beside = solved(replaced(parallel, "90 deg\" }\ngravity", "92.5 deg\" }\ngravity"));
     CHECK(beside.steps[0]->account().verdicts[0].state == account::State::pass);
   }

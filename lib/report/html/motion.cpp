@@ -40,8 +40,8 @@ std::string controls(const Motion& motion) {
   return "<div class=\"controls\" hidden><button type=\"button\" data-pause=\"" + escaped(say("Pause").text()) + "\">" +
          escaped(say("Play").text()) + "</button><label class=\"slide\">" + axis +
          " <input type=\"range\" min=\"0\" max=\"" + std::to_string(motion.axis.si.size() - 1) + "\" value=\"" +
-         std::to_string(motion.shown) + "\" data-unit=\"" + escaped(with_unit({}, pretty_unit(motion.axis.unit))) + "\"></label>" +
-         plan_choice(motion) + "</div>\n";
+         std::to_string(motion.shown) + "\" data-unit=\"" + escaped(with_unit({}, pretty_unit(motion.axis.unit))) +
+         "\"></label>" + plan_choice(motion) + "</div>\n";
 }
 
 }  // namespace

@@ -129,12 +129,14 @@ std::string sized_text(const Entry& entry) {
 
 namespace {
 
-/// "segment 1" of "segments[1]": an element without a name.
+/// "segment 1" of "segments[1]", "point 2" of "over[2]": an element without a name.
 std::string numbered_element(const std::string& element) {
   const std::size_t bracket = element.find('[');
   if (bracket == std::string::npos || !element.ends_with(']')) return element;
   std::string noun = element.substr(0, bracket);
-  if (noun.ends_with("ies"))
+  if (!noun.ends_with('s'))
+    noun = "point";  // of a course or a law by points: "over[2]", "law[2]"
+  else if (noun.ends_with("ies"))
     noun.replace(noun.size() - 3, 3, "y");
   else if (noun.ends_with("sses") || noun.ends_with("xes"))
     noun.resize(noun.size() - 2);
@@ -143,14 +145,22 @@ std::string numbered_element(const std::string& element) {
   return noun + " " + element.substr(bracket + 1, element.size() - bracket - 2);
 }
 
+/// What precedes the last element of a path, and that element.
+std::pair<std::string, std::string> split_last(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string::npos) return {"", path};
+  return {path.substr(0, dot), path.substr(dot + 1)};
+}
+
 }  // namespace
 
 std::string owner_of(const std::string& path) {
   const std::size_t last = path.rfind('.');
   if (last == std::string::npos) return {};
-  const std::string element = path.substr(0, last);
-  const std::size_t dot = element.rfind('.');
-  return spoken(numbered_element(dot == std::string::npos ? element : element.substr(dot + 1)));
+  const auto [above, element] = split_last(path.substr(0, last));
+  const std::string own = numbered_element(element);
+  const bool is_point = !element.ends_with(own) && own.starts_with("point ") && !above.empty();
+  return is_point ? say("{1}, {2}", spoken(numbered_element(split_last(above).second)), own).text() : spoken(own);
 }
 
 std::vector<std::string> given_sizes(const Step& step) {

@@ -159,10 +159,13 @@ void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   if (!has_kernels) kernels_.clear();
 }
 
-/// Whether another value at a path may come with another point: of an input that varies or is computed, of a result.
+/// Whether another value at a path may come with another point: of an input that varies or is computed, of a result, of
+/// [values].
 bool may_vary(const Project& project, const std::string& path, const std::set<std::string>& affected) {
   const auto [name, rest] = split_step(path);
   const Step* const step = project.find(name);
+  if (step == nullptr && name == "values")
+    return project.values.literal(rest) != nullptr && project.values.fixed(rest) == nullptr;
   if (step == nullptr || !affected.contains(name)) return false;
   const Reading& reading = step->input().reading;
   const auto is_it = [&, &input = rest](const auto& one) { return one.path == input; };

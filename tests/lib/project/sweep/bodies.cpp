@@ -80,6 +80,32 @@ TEST_SUITE("sweep bodies") {
     CHECK(solved_alone(sizes, {"closed.sigma_v"}) == 0);
   }
 
+  TEST_CASE("a step is compared with the values of the file at every point") {
+    const std::string text = R"([values]
+P = "7.5 kW"
+n_motor = ["720 rpm", "1450 rpm"]
+n_fan = "720 rpm"
+[belt]
+calculator = "belt.v_sizing"
+basis = "optibelt"
+P = "=values.P"
+K_A = 1.2
+n_1 = "=values.n_motor"
+n_2_set = "=values.n_fan"
+a_set = "600 mm"
+[shaft]
+title = "Shaft of the fan"
+calculator = "shaft.torsion"
+T = "=values.P/values.n_motor"
+K_A = 1.2
+d = "80 mm"
+tau_adm = "30 MPa"
+accept.fatigue = "steady torque, plain shaft without notches"
+)";
+    const double pass = account::number(account::State::pass), held = account::number(account::State::not_judged);
+    CHECK(Swept(text, {}, 1, {}, catalogue()).column("state") == std::vector{pass, held});
+  }
+
   TEST_CASE("a mechanism, and shafts without stated forces that take its results, are solved in columns") {
     const std::string lever =
         "[lever]\ncalculator = \"mechanism.planar\"\ncrank = { joint = \"O\", speed = \"45 rad/s\", positions = 36 }\n"

@@ -71,12 +71,19 @@ Message unknown_unit(std::string_view name) {
   return mixed ? say("the unit '{1}' mixes Latin and Cyrillic letters", name) : say("unknown unit '{1}'", name);
 }
 
+/// "OO" of "12OO rpm".
+static bool is_letter_for_zero(std::string_view name) {
+  return !name.empty() && name.find_first_not_of("Oo") == std::string_view::npos;
+}
+
 Message unknown_unit_hint(std::string_view name) {
+  if (is_letter_for_zero(name)) return say("write the digit 0, not the letter {1}", name.substr(0, 1));
   const std::string meant = unit_meant(name);
   return meant.empty() ? Message{} : say("did you mean '{1}'?", meant);
 }
 
 Message unknown_unit_hint(std::string_view name, const Dimension& dimension, std::string_view usual) {
+  if (is_letter_for_zero(name)) return unknown_unit_hint(name);
   std::vector<std::string> names;
   for (const UnitName& unit : all_unit_names(true))
     if (unit.row->dimension == dimension) names.push_back(unit.text);

@@ -50,21 +50,21 @@ TEST_SUITE("cli why") {
   }
 
   TEST_CASE("for a step: the verdict, the size, the governing mode with its formulas and inputs, what is missing") {
-    const Ran told = why(press_of_heavy_rod + rod, "rod");
-    CHECK(told.code == 4);
-    CHECK(before(told.out, "\n* d = ", "\nGoverning: "));
-    CHECK(before(told.out, "\nGoverning: ", "\n  u = F / P_all "));
-    CHECK(before(told.out, "\n  u = F / P_all ", "\nFrom\n"));
-    CHECK(before(told.out, "\nFrom\n", "\nNot assessed: "));
-    CHECK(contains(told.out, "link.member"));
+    const Ran answer = why(press_of_heavy_rod + rod, "rod");
+    CHECK(answer.code == 4);
+    CHECK(before(answer.out, "\n* d = ", "\nGoverning: "));
+    CHECK(before(answer.out, "\nGoverning: ", "\n  u = F / P_all "));
+    CHECK(before(answer.out, "\n  u = F / P_all ", "\nFrom\n"));
+    CHECK(before(answer.out, "\nFrom\n", "\nNot assessed: "));
+    CHECK(contains(answer.out, "link.member"));
   }
 
   TEST_CASE("a failure is explained with its formulas") {
-    const Ran told = why(weak, "end");
-    CHECK(told.code == 1);
-    CHECK(before(told.out, "FAIL  ", "\n  u_v = "));
-    CHECK(before(told.out, "\nFrom\n", "\n  sigma_adm "));
-    CHECK_FALSE(contains(told.out, "\n  tau_adm "));
+    const Ran answer = why(weak, "end");
+    CHECK(answer.code == 1);
+    CHECK(before(answer.out, "FAIL  ", "\n  u_v = "));
+    CHECK(before(answer.out, "\nFrom\n", "\n  sigma_adm "));
+    CHECK_FALSE(contains(answer.out, "\n  tau_adm "));
   }
 
   TEST_CASE("a found size is explained, by its step, by its name, and by the result of that name") {
@@ -80,28 +80,28 @@ TEST_SUITE("cli why") {
   }
 
   TEST_CASE("a mode is explained with its formulas, together with what governs the step") {
-    const Ran told = why(press_of_heavy_rod + rod, "rod.buckling");
-    CHECK(told.code == 4);
-    CHECK(contains(told.out, ")\n  pass  buckling "));
-    CHECK(contains(told.out, "\n  u = F / P_all "));
-    CHECK(before(told.out, "\ngoverns rod\n", "link.member"));
+    const Ran answer = why(press_of_heavy_rod + rod, "rod.buckling");
+    CHECK(answer.code == 4);
+    CHECK(contains(answer.out, ")\n  pass  buckling "));
+    CHECK(contains(answer.out, "\n  u = F / P_all "));
+    CHECK(before(answer.out, "\ngoverns rod\n", "link.member"));
     CHECK_FALSE(contains(why(press_of_heavy_rod + rod, "rod.lateral").out, "\ngoverns "));
     CHECK_FALSE(contains(why(end, "end.yield").out, "\ngoverns "));
   }
 
   TEST_CASE("a result is explained with its formulas only, and the inputs that they start from") {
-    const Ran told = why(end, "end.sigma_b");
-    CHECK(told.code == 0);
-    CHECK(contains(told.out, "= M_b / W "));
-    CHECK_FALSE(contains(told.out, "Tresca"));
-    CHECK(before(told.out, "\nfrom\n", "\n  F "));
-    CHECK_FALSE(contains(told.out, "sigma_adm"));
+    const Ran answer = why(end, "end.sigma_b");
+    CHECK(answer.code == 0);
+    CHECK(contains(answer.out, "= M_b / W "));
+    CHECK_FALSE(contains(answer.out, "Tresca"));
+    CHECK(before(answer.out, "\nfrom\n", "\n  F "));
+    CHECK_FALSE(contains(answer.out, "sigma_adm"));
   }
 
   TEST_CASE("a series is explained by its extremes and their places") {
-    const Ran told = why(press_of_heavy_rod, "press.links.rod.N");
-    CHECK(told.code == 0);
-    CHECK(contains(told.out, "\n  links.rod.N  -172.718 N (at 180°) to 222.066 N (at "));
+    const Ran answer = why(press_of_heavy_rod, "press.links.rod.N");
+    CHECK(answer.code == 0);
+    CHECK(contains(answer.out, "\n  links.rod.N  -172.718 N (at 180°) to 222.066 N (at "));
   }
 
   TEST_CASE("a missing value is explained as missing") {
@@ -111,9 +111,9 @@ TEST_SUITE("cli why") {
   }
 
   TEST_CASE("a mode that does not apply is shown as such") {
-    const Ran told = why(strut, "strut.tension");
-    CHECK(told.code == 0);
-    CHECK(contains(told.out, "\n  does not apply here  tension  yielding in tension\n"));
+    const Ran answer = why(strut, "strut.tension");
+    CHECK(answer.code == 0);
+    CHECK(contains(answer.out, "\n  does not apply here  tension  yielding in tension\n"));
   }
 
   TEST_CASE("an unknown name is refused before any output") {

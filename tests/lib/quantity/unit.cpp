@@ -95,6 +95,7 @@ TEST_SUITE("quantity") {
         {"kgm", 0, 3, "unknown unit 'kgm'", "did you mean 'kg*m'?"},
         {"kN*mn", 3, 2, "unknown unit 'mn'", "did you mean 'mN'?"},
         {"кH", 0, 3, "the unit 'кH' mixes Latin and Cyrillic letters", "did you mean 'кН'?"},
+        {"OO", 0, 2, "unknown unit 'OO'", "write the digit 0, not the letter O"},
         {"zorkmid", 0, 7, "unknown unit 'zorkmid'", ""},
         {"N/m*s", 3, 1, "use parentheses after '/' to show what is divided", "write 'N/(m*s)' or 'N*s/m'"},
         {"W/m K", 3, 1, "use parentheses after '/' to show what is divided", "write 'W/(m*K)' or 'W*K/m'"},

@@ -90,9 +90,9 @@ void compare_vacuum(const Step& step, const Project& project, std::vector<Reduce
   if (find_field(fields, "wall") == nullptr || find_field(fields, "p_e") == nullptr) return;
   if (!step.input().reading.typed.contains("delta") || takes_record(step, "wall")) return;
   const auto named = steps_named_in(step.input().reading);
-  const auto is_one = [&](const std::string& name) { return is_wall(*project.find(name)); };
+  const auto is_of_wall = [&](const std::string& name) { return is_wall(*project.find(name)); };
   const auto has_record = [&](const std::string& name) { return hands_over(*project.find(name), "wall"); };
-  const bool takes_sizes = std::ranges::any_of(named, is_one) && std::ranges::none_of(named, has_record);
+  const bool takes_sizes = std::ranges::any_of(named, is_of_wall) && std::ranges::none_of(named, has_record);
   if (takes_sizes) return;  // of a wall without a record
   const Step* const wall = step_with(project, "wall");
   if (wall == nullptr) return;

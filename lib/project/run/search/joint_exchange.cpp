@@ -79,10 +79,23 @@ bool JointSearch::exchange_once(SizeIndices& least, const SizeIndices& floors, s
   return improved;
 }
 
-/// One size a few steps larger for another one that is smaller by as little as makes up for it, or a little more;
-/// whether it found cheaper ones.
+/// One of them smaller by as little as makes the part cheaper, or a little more.
+bool JointSearch::takes_with_one_lowered(const SizeIndices& raised, std::size_t first, std::size_t floor,
+                                         SizeIndices& least, double& lowest) {
+  std::size_t left = 3;
+  bool improved = false;
+  for (std::size_t at = raised[first]; left > 0 && at-- > floor;) {
+    const SizeIndices tried = with_group(raised, first, at);
+    if (!is_cheaper(tried, lowest)) continue;
+    --left;
+    improved = takes_cheaper(tried, least, lowest) || improved;
+  }
+  return improved;
+}
+
+/// One size a few steps larger for another one that is smaller; whether it found cheaper ones.
 bool JointSearch::exchange_pairs(SizeIndices& least, const SizeIndices& floors) {
-  constexpr std::size_t most_raised = 3, more = 2;
+  constexpr std::size_t most_raised = 3;
   const SizeIndices firsts = sizes_.firsts();
   sizes_.set(least);
   const SizeIndices centre = sizes_.now();
@@ -93,13 +106,8 @@ bool JointSearch::exchange_pairs(SizeIndices& least, const SizeIndices& floors) 
     for (std::size_t up = 1; up <= std::min(most_raised, room); ++up) {
       const SizeIndices raised = with_group(centre, larger, centre[larger] + up);
       for (const std::size_t smaller : firsts) {
-        std::size_t left = more + 1;
-        for (std::size_t at = centre[smaller]; smaller != larger && left > 0 && at-- > floors[smaller];) {
-          const SizeIndices tried = with_group(raised, smaller, at);
-          if (!is_cheaper(tried, lowest)) continue;
-          --left;
-          improved = takes_cheaper(tried, least, lowest) || improved;
-        }
+        if (smaller == larger) continue;
+        improved = takes_with_one_lowered(raised, smaller, floors[smaller], least, lowest) || improved;
       }
     }
   }

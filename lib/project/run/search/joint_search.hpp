@@ -46,6 +46,8 @@ class JointSearch {
   void lower_alone(SizeIndices& least);
   void exchange(SizeIndices& least);
   bool exchange_once(SizeIndices& least, const SizeIndices& floors, std::size_t reach);
+  bool takes_with_one_lowered(const SizeIndices& raised, std::size_t first, std::size_t floor, SizeIndices& least,
+                              double& lowest);
   bool exchange_pairs(SizeIndices& least, const SizeIndices& floors);
   [[nodiscard]] SizeIndices with_group(SizeIndices indices, std::size_t first, std::size_t at) const;
   bool is_cheaper(const SizeIndices& tried, double lowest);

@@ -95,10 +95,12 @@ LOADPATH_LANES void sweep_lanes(const typename C::Input& base, const double* con
 }
 
 /// Without a branch, for the compiler to put into lanes.
-inline bool any_missing(std::span<const InputColumn> columns, std::size_t count) {
+template <class Column>
+LOADPATH_LANES bool any_missing(const Column* columns, std::size_t width, std::size_t count) {
   std::uint64_t any = 0;
-  for (const InputColumn& c : columns) {
-    for (std::size_t i = 0; i < count; ++i) any |= static_cast<std::uint64_t>(std::isnan(c.si[i]));
+  for (std::size_t k = 0; k < width; ++k) {
+    const double* const si = columns[k].si;
+    for (std::size_t i = 0; i < count; ++i) any |= static_cast<std::uint64_t>(std::isnan(si[i]));
   }
   return any != 0;
 }
@@ -131,7 +133,7 @@ void sweep_form(void* input, std::span<const InputColumn> in, std::span<const Re
     const auto found = from<results>(start, out);
     const std::span columns = std::span(rest).first(in.size());
     const std::span wanted = std::span(found).first(out.size());
-    if (any_missing(columns, n)) {
+    if (any_missing(columns.data(), columns.size(), n)) {
       general_loop<C>()(input, columns, wanted, n);
       continue;
     }

@@ -269,15 +269,27 @@ class Conditions {
                      name, format_quantity(si, "h", 5), format_quantity(here, "h", 5)));
   }
 
+  /// The input with the speed of a part that rotates, of a drive its first one.
+  [[nodiscard]] std::string speed_of_part() const {
+    if (id_ == "machine.flywheel") return "omega";
+    for (const char* const speed : {"n", "n_1"})
+      if (field(speed) != nullptr) return speed;
+    return "";
+  }
+
   /// "n_over", "n_trip" above the speed of a rotating part; a much higher one is that of another shaft.
   void compare_overspeed(const std::string& name, double si) {
     constexpr double most = 3.0;
     const bool is_most = name == "n_max" && (id_ == "machine.disc" || id_ == "shaft.press_fit");
-    const std::string key = id_ == "machine.flywheel" ? "omega" : "n";
+    const std::string key = speed_of_part();
     if (!(is_most || has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin", "top", "fast"})) ||
-        field(key) == nullptr)
+        key.empty())
       return;
-    const auto has_it = [&](const auto& one) { return std::abs(own_value(*one, project_, key)) >= si * (1.0 - 1e-3); };
+    const auto has_it = [&](const auto& one) {
+      return std::ranges::any_of(std::array{"n", "n_1", "n_2", "omega"}, [&](const char* speed) {
+        return std::abs(own_value(*one, project_, speed)) >= si * (1.0 - 1e-3);
+      });
+    };
     const double typed = own(key), here = std::abs(std::isnan(typed) ? found(key) : typed);
     if (!(si > here && si <= most * here) || std::ranges::any_of(project_.steps, has_it)) return;
     add(key, say("values.{1} = {2} acts on no step, and {4} is {3}: refer to it, delete it, or justify it: because.{4} "

@@ -195,6 +195,9 @@ TEST_SUITE("project: conditions of service") {
                  {"n_limit = \"3450 rpm\"", ""},
                  {"n_over = 3450", ""}});
     check(column, {{"n_over = \"3450 rpm\"", ""}});
+    check(example_of("gear.pair"), {{"n_1_fast = \"1450 rpm\"", ""},  // of the step: 1450 rpm
+                                    {"n_1_fast = \"1600 rpm\"", "n_1"},
+                                    {"n_1_fast = \"4400 rpm\"", ""}});
     std::string other = disc;
     other.replace(0, 3, "\n[o]").replace(other.find("3000 rpm"), 8, "3450 rpm");
     check(disc + other, {{"n_over = \"3450 rpm\"", ""}, {"n_over = \"3600 rpm\"", "n"}});

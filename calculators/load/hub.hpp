@@ -69,6 +69,7 @@ template <class Input, Length (*thinnest)(const Input&)>
 constexpr auto within_root() {
   return Mode<Input>{"root", "shaft diameter within bore and root circle of the mounted part",
                      &beyond_root<Input, thinnest>}
+      .independent_of_loads()
       .advising("reduce the diameter, or confirm a shaft that steps down to the component: accept.root = \"...\"");
 }
 

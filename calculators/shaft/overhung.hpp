@@ -149,7 +149,7 @@ tau_adm = "30 MPa"
       Mode<Input>{"torsion", "yielding in pure torsion", [](const Input& in) { return where(is_set(in.tau_adm)); }}
           .judged_by("u_tau"),
       within_root<Input, &outside>(),
-      Mode<Input>{"clearance", "component clear of the bearing", &reaches_bearing}.advising(
+      Mode<Input>{"clearance", "component clear of the bearing", &reaches_bearing}.independent_of_loads().advising(
           "increase a to half of the rim width and more, or confirm a dished component: accept.clearance = \"...\""),
       fatigue_of_shaft<Input>().assessed_in("shaft.design")});
 

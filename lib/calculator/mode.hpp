@@ -37,10 +37,11 @@ struct ModeInfo {
   const char* loads = "";    // the list of results with the loads before and behind each element: "shafts"
   bool is_limit =
       false;  // the same at any load, as a slenderness: it governs where it fails, or where nothing else does
-  bool by_record = false;   // without the record that `judge` takes, no calculator assesses it
-  bool by_service = false;  // unseen, it applies if the source of the load rotates or the load varies
-  bool is_fixed = false;    // whether it applies does not depend on the input
-  bool by_rest = false;     // unseen, it applies where a load has companions that the step does not take
+  bool by_record = false;                // without the record that `judge` takes, no calculator assesses it
+  bool by_service = false;               // unseen, it applies if the source of the load rotates or the load varies
+  bool is_fixed = false;                 // whether it applies does not depend on the input
+  bool is_independent_of_loads = false;  // nor on loads: on sizes, factors and choices alone
+  bool by_rest = false;                  // unseen, it applies where a load has companions that the step does not take
 };
 
 /// Whether anything in the catalogue assesses the mode: this calculator, or another one.
@@ -152,6 +153,12 @@ struct Mode : ModeInfo {
   [[nodiscard]] constexpr Mode at_any_load() const {
     Mode mode = *this;
     mode.is_limit = true;
+    return mode;
+  }
+  /// Whether it applies depends on no input that is a load: on sizes, factors and choices alone.
+  [[nodiscard]] constexpr Mode independent_of_loads() const {
+    Mode mode = *this;
+    mode.is_independent_of_loads = true;
     return mode;
   }
   [[nodiscard]] constexpr Mode of_service() const { return of(ModeKind::service); }

@@ -35,7 +35,9 @@ Applies thin_wall(const Input& in) {
 /// Where a shaft breaks first that turns, or whose load varies.
 template <class Input>
 constexpr Mode<Input> fatigue_of_shaft() {
-  return Mode<Input>{"fatigue", "fatigue (shoulders, keyways, press fits)", &load_varies<Input>}.in_service();
+  return Mode<Input>{"fatigue", "fatigue (shoulders, keyways, press fits)", &load_varies<Input>}
+      .independent_of_loads()
+      .in_service();
 }
 
 /// Modes of the calculator, and those of every shaft.
@@ -51,7 +53,7 @@ constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) 
       Mode<Input>{"keyway", "yielding at keyways and notches", &unseen<Input>}.assessed_in("shaft.design"),
       Mode<Input>{"hub", "slip of shaft-hub connections", &unseen<Input>}.assessed_additionally_in(
           "shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw"),
-      Mode<Input>{"wall", "local buckling of thin walls", &thin_wall<Input>},
+      Mode<Input>{"wall", "local buckling of thin walls", &thin_wall<Input>}.independent_of_loads(),
       Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special()};
   return join(own, common);
 }

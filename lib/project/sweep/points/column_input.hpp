@@ -27,6 +27,9 @@ class ColumnInput {
   [[nodiscard]] const FieldInfo& field() const { return *field_; }
   [[nodiscard]] std::size_t offset() const { return offset_; }
   [[nodiscard]] bool is_open() const { return is_open_; }
+  [[nodiscard]] bool may_vary_over_positions() const {
+    return !companions_.empty() || (expression_ && expression_->reads_series());
+  }
   /// At every position of every point.
   [[nodiscard]] const std::vector<double>& si() const { return si_; }
 

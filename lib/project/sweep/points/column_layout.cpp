@@ -261,19 +261,22 @@ bool ColumnLayout::add_bounds() {
 
 void ColumnLayout::add_rules() {
   rules.assign(calculator.rules.size(), 0);
-  no_rules = rules;
+  no_rules = series_rules = rules;
   for (std::size_t rule = 0; rule < calculator.rules.size(); ++rule) {
     if (calculator.rules[rule].only_warns) continue;
     const auto fields = listed_keys(calculator.rules[rule].fields);
     const auto names = [&](const std::string& key) {
       return fields.empty() || std::find(fields.begin(), fields.end(), head_of(key)) != fields.end();
     };
-    const bool concerned =
-        std::any_of(fed.begin(), fed.end(),
-                    [&](const ColumnInput& f) { return names(f.path().substr(step.name().size() + 1)); }) ||
-        std::any_of(sized.begin(), sized.end(), [&](const Sized& value) { return names(value.field()); });
+    const auto takes = [&](const ColumnInput& f) { return names(f.path().substr(step.name().size() + 1)); };
+    const bool concerned = std::ranges::any_of(fed, takes) ||
+                           std::ranges::any_of(sized, [&](const Sized& value) { return names(value.field()); });
     rules[rule] = static_cast<char>(concerned);
+    series_rules[rule] = static_cast<char>(
+        std::ranges::any_of(fed, [&](const ColumnInput& f) { return f.may_vary_over_positions() && takes(f); }));
   }
+  is_series_of_loads =
+      std::ranges::none_of(fed, [](const ColumnInput& f) { return f.may_vary_over_positions() && !f.field().is_load; });
 }
 
 /// False unless it is a search for one size.

@@ -15,8 +15,10 @@ namespace loadpath::project {
 
 void ColumnParts::feed(PointColumns& points) {
   in.clear();
+  in_series.clear();
   for (ColumnInput& input : fed) {
     input.fill(points, axis);
+    if (!input.is_open() && input.may_vary_over_positions()) in_series.push_back(in.size());
     if (!input.is_open()) in.push_back({input.offset(), input.si().data()});
     input.write(points, axis);
   }
@@ -45,7 +47,8 @@ void ColumnParts::leave_bolder(PointColumns& points) const {
   char* const base = static_cast<char*>(record.data.get());
   for (std::size_t point = 0; point < points.count; ++point) {
     if (is_other(points, point)) continue;
-    for (const InputColumn& column : in) std::memcpy(base + column.offset, column.si + point, sizeof(double));
+    const std::size_t first = point * positions();
+    for (const InputColumn& column : in) std::memcpy(base + column.offset, column.si + first, sizeof(double));
     const bool keeps_all = std::ranges::all_of(
         bounds, [&](const KeptBound& kept) { return keeps(kept, calculator.bound(kept.bound, base, kept.element)); });
     if (!keeps_all) leave(points, point);
@@ -120,95 +123,6 @@ void ColumnParts::leave_unloaded(PointColumns& points) const {
       return f.field().is_load && std::any_of(first, first + static_cast<std::ptrdiff_t>(positions()), account::acts);
     };
     if (std::none_of(fed.begin(), fed.end(), loads)) leave(points, point);
-  }
-}
-
-/// Rules, and which modes concern the part, with the inputs as they are now.
-void ColumnParts::ask(PointColumns& points, std::span<const char> asked_rules) {
-  applies.resize(calculator.modes.size());
-  applies_at.clear();
-  for (std::vector<Applies>& of_mode : applies) {
-    of_mode.assign(points.count, Applies::no);
-    applies_at.push_back(of_mode.data());
-  }
-  if (axis == nullptr) return survey(points, asked_rules);
-  ask_first_positions(points);
-  applies_over.resize(applies.size());
-  applies_at.assign(open_modes.empty() ? 0 : applies.size(), nullptr);
-  for (const std::size_t mode : open_modes) {
-    applies_over[mode].assign(points.count * positions(), Applies::no);
-    applies_at[mode] = applies_over[mode].data();
-  }
-  survey(points, asked_rules);
-  gather_modes(points);
-}
-
-/// A mode that applies at one position applies at the point: most of them are known from the first one.
-void ColumnParts::ask_first_positions(const PointColumns& points) {
-  std::vector<InputColumn> first;
-  first_inputs.resize(in.size());
-  for (std::size_t k = 0; k < in.size(); ++k) {
-    first_inputs[k].resize(points.count);
-    for (std::size_t point = 0; point < points.count; ++point) first_inputs[k][point] = in[k].si[point * positions()];
-    first.push_back({in[k].offset, first_inputs[k].data()});
-  }
-  std::vector<char> others = points.is_other;
-  calculator.survey(record.data.get(), first, no_rules, applies_at, points.count, others.data());
-  open_modes.clear();
-  for (std::size_t mode = 0; mode < applies.size(); ++mode) {
-    if (calculator.modes[mode].is_fixed) continue;
-    bool is_open = false;
-    for (std::size_t point = 0; point < points.count; ++point)
-      is_open = is_open || (!is_other(points, point) && applies[mode][point] != Applies::yes);
-    if (is_open) open_modes.push_back(mode);
-  }
-}
-
-/// Only rules: before a search nothing is assessed.
-void ColumnParts::ask_rules(PointColumns& points, std::span<const char> asked_rules) {
-  applies_at.clear();
-  survey(points, asked_rules);
-}
-
-/// A rule is violated at a point if it is so at any position.
-void ColumnParts::survey(PointColumns& points, std::span<const char> asked_rules) {
-  const std::size_t count = positions(), rows = points.count * count;
-  if (axis == nullptr) {
-    calculator.survey(record.data.get(), in, asked_rules, applies_at, rows, points.is_other.data());
-    return;
-  }
-  const bool asks_rules = std::ranges::find(asked_rules, char{1}) != asked_rules.end();
-  if (applies_at.empty() && !asks_rules) return;
-  other_rows.resize(rows);
-  for (std::size_t point = 0; point < points.count; ++point)
-    std::fill_n(other_rows.data() + point * count, count, points.is_other[point]);
-  calculator.survey(record.data.get(), in, asked_rules, applies_at, rows, other_rows.data());
-  for (std::size_t point = 0; point < points.count; ++point) {
-    const std::span<const char> others(other_rows.data() + point * count, count);
-    if (std::ranges::find(others, char{1}) != others.end()) leave(points, point);
-  }
-}
-
-namespace {
-
-/// Without a branch, for the compiler to put into lanes.
-Applies applies_anywhere(std::span<const Applies> positions) {
-  int yes = 0, unseen = 0;
-  for (const Applies at : positions) {
-    yes |= static_cast<int>(at == Applies::yes);
-    unseen |= static_cast<int>(at == Applies::unseen);
-  }
-  return yes != 0 ? Applies::yes : unseen != 0 ? Applies::unseen : Applies::no;
-}
-
-}  // namespace
-
-/// A mode applies at a point if it does at any position.
-void ColumnParts::gather_modes(const PointColumns& points) {
-  const std::size_t count = positions();
-  for (const std::size_t mode : open_modes) {
-    for (std::size_t point = 0; point < points.count; ++point)
-      applies[mode][point] = applies_anywhere({applies_over[mode].data() + point * count, count});
   }
 }
 

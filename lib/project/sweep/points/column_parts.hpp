@@ -11,14 +11,16 @@ namespace loadpath::project {
 
 struct ColumnParts : ColumnPlan {
   std::vector<InputColumn> in;
-  std::size_t inputs_fed = 0;  // the first of them
+  std::size_t inputs_fed = 0;          // the first of them
+  std::vector<std::size_t> in_series;  // of these, those that vary over the positions of a point
   std::vector<ResultColumn> out;
   std::vector<std::vector<Applies>> applies;  // applicability of each mode, point by point
   std::vector<Applies*> applies_at;
-  std::vector<std::vector<Applies>> applies_over;  // of open modes over the positions
-  std::vector<std::size_t> open_modes;             // that do not apply at the first position of every point
+  std::vector<std::vector<Applies>> applies_over;  // of open modes over the positions of a point
+  std::vector<std::size_t> open_modes;             // that other positions than the first one may decide
   std::vector<std::vector<double>> first_inputs;   // at the first position of each point
-  std::vector<char> other_rows;                    // over the positions
+  std::vector<InputColumn> columns;                // what a survey is given
+  std::vector<char> asked_now, breaks;
   std::vector<double> sizes, next_sizes, size_rows;
   account::RowColumns fold;
 
@@ -48,9 +50,11 @@ struct ColumnParts : ColumnPlan {
   void check_inputs(PointColumns& points);
   void ask(PointColumns& points, std::span<const char> asked_rules);
   void ask_rules(PointColumns& points, std::span<const char> asked_rules);
-  void survey(PointColumns& points, std::span<const char> asked_rules);
-  void ask_first_positions(const PointColumns& points);
-  void gather_modes(const PointColumns& points);
+  void survey_first_positions(PointColumns& points, std::span<const char> asked_rules);
+  void survey_positions(PointColumns& points, std::span<const char> asked_rules);
+  void survey_positions_of(PointColumns& points, std::size_t point);
+  void find_open_modes(const PointColumns& points);
+  bool keep_rules(std::span<const char> asked_rules, bool over_positions);
   void judge(const PointColumns& points, std::vector<account::ModeColumns>& modes);
   void leave_unloaded(PointColumns& points) const;
   void fold_rows(const Judging& judged, std::size_t n);

@@ -87,8 +87,10 @@ struct ColumnPlan {
   std::optional<Size> size;            // size of the sized inputs
   std::optional<SearchedSize> sought;  // searched input
   std::vector<Read> read;
-  std::vector<char> rules;  // for each rule, whether varying inputs can violate it
+  std::vector<char> rules;         // for each rule, whether varying inputs can violate it
+  std::vector<char> series_rules;  // for each rule, whether inputs that vary over the positions can
   std::vector<char> no_rules;
+  bool is_series_of_loads = true;  // whether only loads vary over the positions
   std::vector<Judging> judging;
   std::vector<KeptBound> bounds;  // that typed values must keep at each point
   bool is_loaded = false;         // for all varying inputs

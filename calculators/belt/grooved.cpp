@@ -32,7 +32,7 @@ void wedge(const Grooved::Input& in, Grooved::Result& r, Tracer& trace) {
   if (is_set(in.phi)) {
     STEP_TO(r, mu_w, in.mu / sin(in.phi / 2.0), "wedge friction of the groove sides, [Tribology-V]");
   } else if (in.kind == Grooved::Kind::ribbed) {
-    STEP_TO(r, mu_w, in.mu / sin(pi / 9.0), "wedge friction of grooves of 40 deg, [Tribology-V]");
+    STEP_TO(r, mu_w, in.mu / sin(pi / 9.0), "wedge friction of grooves of 40°, [Tribology-V]");
   } else {
     STEP_TO(r, mu_w, in.mu, "smooth rim");
   }

@@ -120,7 +120,7 @@ v_max = "20 m/s"
       Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the groove sides"}
           .within(0.01, 1.5)
           .usually(0.1, 1),
-      Field{&Input::phi, "phi", deg, "groove angle; omitted: 40 deg of V-ribbed belts, a smooth rim for round belts"}
+      Field{&Input::phi, "phi", deg, "groove angle; omitted: 40° of V-ribbed belts, a smooth rim for round belts"}
           .within(20, 180)
           .usually(30, 90)
           .may_be_missing(),
@@ -283,9 +283,9 @@ v_max = "20 m/s"
       Bound<Input>{"v_max", "this type of belt", &most_speed},
       Bound<Input>{"phi", "ribs of ISO 9982", &groove_angle},
       Bound<Input>{"phi", "ribs of ISO 9982", &groove_angle}.least(),
-      Bound<Input>{"a", "a wrap of 120 deg", &least_centre_distance}.least(),
+      Bound<Input>{"a", "a wrap of 120°", &least_centre_distance}.least(),
       Bound<Input>{"a", "ten times the sum of the diameters", &most_centre_distance},
-      Bound<Input>{"L", "a wrap of 120 deg", &least_length}.least(),
+      Bound<Input>{"L", "a wrap of 120°", &least_length}.least(),
       Bound<Input>{"d_1", "a speed ratio of 7", [](const Input& in) { return in_si(7.0 * in.d_2); }},
       Bound<Input>{"d_2", "a speed ratio of 7", [](const Input& in) { return in_si(7.0 * in.d_1); }}};
 

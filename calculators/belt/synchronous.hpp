@@ -245,8 +245,8 @@ b = "50.8 mm"
       Bound<Input>{"b", "the next smaller standard width", &standard_width},
       Bound<Input>{"F_a", "5 N/mm^2 of pitch x base width", &most_pull},
       Bound<Input>{"p_b", "the next trapezoidal profile (3, 8, 14 mm: curvilinear)", &trapezoidal_pitch},
-      Bound<Input>{"a", "a wrap of 120 deg", &least_centre_distance}.least(),
-      Bound<Input>{"z_B", "a wrap of 120 deg", &least_belt_teeth}.least(),
+      Bound<Input>{"a", "a wrap of 120°", &least_centre_distance}.least(),
+      Bound<Input>{"z_B", "a wrap of 120°", &least_belt_teeth}.least(),
       Bound<Input>{"z_1", "a speed ratio of 7", [](const Input& in) { return 7.0 * in.z_2; }},
       Bound<Input>{"z_2", "a speed ratio of 7", [](const Input& in) { return 7.0 * in.z_1; }}};
 

@@ -91,7 +91,7 @@ v_max = "25 m/s"
           .at_least(1)
           .usually(1, 2.5)
           .factor(),
-      Field{&Input::K_f, "K_f", ratio, "sag factor: 6 for a horizontal drive, 3 at 40 deg, 1 for a vertical drive"}
+      Field{&Input::K_f, "K_f", ratio, "sag factor: 6 for a horizontal drive, 3 at 40°, 1 for a vertical drive"}
           .within(0, 10)
           .usually(1, 6),
       Field{&Input::P_b, "P_b", kW, "rated power of the width b_R, by the manufacturer"}.positive().may_be_missing(),
@@ -134,8 +134,8 @@ v_max = "25 m/s"
       Field{&Result::a, "a", mm, "centre distance of the taut chain"},
       Field{&Result::a_p, "a_p", ratio, "centre distance in pitches"},
       Field{&Result::L, "L", mm, "chain length"},
-      Field{&Result::alpha_1, "alpha_1", deg, "wrap angle, driving sprocket (at least 120 deg)"}.limit(120, 360),
-      Field{&Result::alpha_2, "alpha_2", deg, "wrap angle, driven sprocket (at least 120 deg)"}.limit(120, 360),
+      Field{&Result::alpha_1, "alpha_1", deg, "wrap angle, driving sprocket (at least 120°)"}.limit(120, 360),
+      Field{&Result::alpha_2, "alpha_2", deg, "wrap angle, driven sprocket (at least 120°)"}.limit(120, 360),
       Field{&Result::v, "v", m_per_s, "mean chain speed"},
       Field{&Result::v_share, "v_share", ratio, "chain speed / maximum speed"}.limit(0, 1, "v_max"),
       Field{&Result::T_1, "T_1", N_m, "torque of the driving sprocket, nominal"}.load().with("F_W"),

@@ -26,11 +26,11 @@ void chordal_action(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void position(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.theta)) return;
-  STEP_TO(r, theta_c, abs(in.theta), "up to 60 deg without a tensioner, [HKK]");
+  STEP_TO(r, theta_c, abs(in.theta), "up to 60° without a tensioner, [HKK]");
   STEP(K_theta,
        theta_c < 2.0 * pi / 9.0 ? 6.0 - 3.0 * theta_c / (2.0 * pi / 9.0)
                                 : 3.0 - 2.0 * (theta_c - 2.0 * pi / 9.0) / (5.0 * pi / 18.0),
-       "sag factor, linear between 6 at 0 deg, 3 at 40 deg and 1 at 90 deg, [Vunivere]");
+       "sag factor, linear between 6 at 0°, 3 at 40° and 1 at 90°, [Vunivere]");
   STEP_TO(r, f_s, r.a * cos(theta_c) / (8.0 * min(in.K_f, K_theta)), "q g cos(theta) a^2/(8 F_f), [Chain-sag]");
   if (in.loaded == Roller::Loaded::upper) return;
   STEP(h_p, 0.95 * in.p, "maximum depth of the plates of ISO 606, [Donghua]");

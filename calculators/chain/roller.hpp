@@ -146,7 +146,7 @@ P_R = "5.5 kW"
           .at_least(1)
           .usually(1, 2)
           .factor(),
-      Field{&Input::K_f, "K_f", ratio, "sag factor: 6 for a horizontal drive, 3 at 40 deg, 1 for a vertical drive"}
+      Field{&Input::K_f, "K_f", ratio, "sag factor: 6 for a horizontal drive, 3 at 40°, 1 for a vertical drive"}
           .within(0, 10)
           .usually(1, 6),
       Choice{&Input::lubrication, "lubrication", "lubrication type"}.may_be_missing(),
@@ -205,8 +205,8 @@ P_R = "5.5 kW"
       Field{&Result::a, "a", mm, "centre distance of the taut chain"},
       Field{&Result::a_p, "a_p", ratio, "centre distance in pitches; 30 to 50 is usual"},
       Field{&Result::L, "L", mm, "chain length"},
-      Field{&Result::alpha_1, "alpha_1", deg, "wrap angle, driving sprocket (at least 120 deg)"}.limit(120, 360),
-      Field{&Result::alpha_2, "alpha_2", deg, "wrap angle, driven sprocket (at least 120 deg)"}.limit(120, 360),
+      Field{&Result::alpha_1, "alpha_1", deg, "wrap angle, driving sprocket (at least 120°)"}.limit(120, 360),
+      Field{&Result::alpha_2, "alpha_2", deg, "wrap angle, driven sprocket (at least 120°)"}.limit(120, 360),
       Field{&Result::v, "v", m_per_s, "mean chain speed"},
       Field{&Result::v_share, "v_share", ratio, "chain speed / maximum speed for the lubrication type"}.limit(0, 1,
                                                                                                               "n_1"),
@@ -223,7 +223,7 @@ P_R = "5.5 kW"
           .limit(0, 1e6)
           .criterion()
           .where_it_applies(),
-      Field{&Result::theta_c, "theta_c", deg, "inclination to the horizontal (above 60 deg a tensioner is required)"}
+      Field{&Result::theta_c, "theta_c", deg, "inclination to the horizontal (above 60° a tensioner is required)"}
           .limit(0, 60, "theta"),
       Field{&Result::F, "F", N, "maximum chain pull: with service factor, centrifugal force and sag"}.holding("K_A"),
       Field{&Result::F_W, "F_W", N, "force on each shaft, along the line of centres"}.load().with("T_1|T_2").holding(
@@ -268,7 +268,7 @@ P_R = "5.5 kW"
       Rule<Input>{[](const Input& in) { return !is_set(in.theta) || in.K_f > 0.0; }, "theta, K_f",
                   "the sag needs a sag factor K_f above 0"},
       Rule<Input>{[](const Input& in) { return is_set(in.theta) || in.loaded == Loaded::upper; }, "loaded, theta",
-                  "the loaded strand needs the inclination theta; 0 deg: horizontal"},
+                  "the loaded strand needs the inclination theta; 0°: horizontal"},
       Rule<Input>{[](const Input& in) { return in.X % 2 == 0; }, "X",
                   "an odd number of links needs a cranked link, which is weaker", nullptr, true},
       Rule<Input>{[](const Input& in) { return in.z_1 >= 17 && in.z_2 >= 17; }, "z_1, z_2",
@@ -279,11 +279,10 @@ P_R = "5.5 kW"
   static double least_sag(const Input& in);
   static double most_centre(const Input& in);
   static double most_links(const Input& in);
-  static constexpr std::array bounds{
-      Bound<Input>{"P_R", "twice the ASME B29.1 rating for this pitch", &most_rating},
-      Bound<Input>{"K_f", "this inclination (0 deg: 6, vertical: 1)", &least_sag}.least(),
-      Bound<Input>{"a", "80 pitches (slack strand above: 60)", &most_centre},
-      Bound<Input>{"X", "80 pitches (slack strand above: 60)", &most_links}};
+  static constexpr std::array bounds{Bound<Input>{"P_R", "twice the ASME B29.1 rating for this pitch", &most_rating},
+                                     Bound<Input>{"K_f", "this inclination (0°: 6, vertical: 1)", &least_sag}.least(),
+                                     Bound<Input>{"a", "80 pitches (slack strand above: 60)", &most_centre},
+                                     Bound<Input>{"X", "80 pitches (slack strand above: 60)", &most_links}};
 
   static constexpr bool turns = true;
   static constexpr std::array modes{

@@ -55,7 +55,7 @@ wheels = [
         NameField{&Weight::name, "name", "name of the body"}.may_be_missing(),
         Field{&Weight::mass, called("m"), kg, "mass"}.load().positive().usually(1e-6, 1e7),
         Field{&Weight::i, "i", ratio, "its path over the path s, positive downwards"},
-        Field{&Weight::alpha, "alpha", deg, "inclination of its track: 90 deg suspended, 0 deg level"}.within(0, 90),
+        Field{&Weight::alpha, "alpha", deg, "inclination of its track: 90° suspended, 0° level"}.within(0, 90),
         Field{&Weight::mu, "mu", ratio, "coefficient of friction on its track"}.at_least(0).usually(0, 1)};
   };
   struct Wheel {

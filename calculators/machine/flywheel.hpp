@@ -85,7 +85,7 @@ delta = 0.01
       ListField{&Input::points, "points", "moment by points over one period, in place of the series"}
           .as_arrays()
           .may_be_missing(),
-      Field{&Input::period, "period", deg, "period of the formula or the points; 720 deg of a four-stroke engine"}
+      Field{&Input::period, "period", deg, "period of the formula or the points; 720° of a four-stroke engine"}
           .positive()
           .usually(10, 7200),
       Choice{&Input::role, "role", "origin of the moment: load or drive"}.may_be_missing(),

@@ -34,9 +34,9 @@ void add_accelerations(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, a_e, sqrt(a_exi * a_exi + a_eeta * a_eeta), "magnitude");
   STEP_TO(r, a_r, sqrt(in.a_xi * in.a_xi + in.a_eta * in.a_eta + in.a_zeta * in.a_zeta), "magnitude");
   STEP_TO(r, a_cxi, -2.0 * in.omega * in.v_eta,
-          "Coriolis: twice omega times the relative velocity, turned on by 90 deg, [B31]");
+          "Coriolis: twice omega times the relative velocity, turned on by 90°, [B31]");
   STEP_TO(r, a_ceta, 2.0 * in.omega * in.v_xi,
-          "Coriolis: twice omega times the relative velocity, turned on by 90 deg, [B31]");
+          "Coriolis: twice omega times the relative velocity, turned on by 90°, [B31]");
   STEP_TO(r, a_c, sqrt(a_cxi * a_cxi + a_ceta * a_ceta), "magnitude");
   STEP_TO(r, a_axi, a_exi + in.a_xi + a_cxi, "absolute = transport + relative + Coriolis, [B31]");
   STEP_TO(r, a_aeta, a_eeta + in.a_eta + a_ceta, "absolute = transport + relative + Coriolis, [B31]");

@@ -92,7 +92,7 @@ FieldFault mass_fault(const Part& p, bool density) {
 FieldFault direction_fault(const Part& p) {
   const bool inclined = is_set(p.beta) && p.beta != 0.0;
   if (p.shape == Shape::rod && !is_set(p.beta))
-    return {"beta", say("a rod needs the angle of its axis to z"), say("give 90 deg across the axis, 0 deg along it")};
+    return {"beta", say("a rod needs the angle of its axis to z"), say("give 90° across the axis, 0° along it")};
   if (p.shape == Shape::cone && inclined && !is_set(p.h))
     return {"h", say("an inclined cone needs its height h"), say("give it")};
   const bool of_revolution = p.shape == Shape::cylinder || p.shape == Shape::rod || p.shape == Shape::cone;

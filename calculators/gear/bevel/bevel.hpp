@@ -163,7 +163,7 @@ S_Fmin = 1.5
           .may_be_missing(),
       Choice{&Input::service, "service", "service, for the stress cycle factor in bending"}.may_be_missing(),
       Field{&Input::R, "R", ratio, "reliability"}.within(0.9, 0.9999).usually(0.99, 0.9999),
-      Field{&Input::T_G, "T_G", scale_of_heat, "operating temperature of the gear blanks; omitted: up to 121 deg C"}
+      Field{&Input::T_G, "T_G", scale_of_heat, "operating temperature of the gear blanks; omitted: up to 121 °C"}
           .positive()
           .may_be_missing(),
       Field{&Input::C_H, "C_H", ratio, "hardness ratio factor, gear 2, from the chart of AGMA 2003"}.within(1, 1.16),
@@ -183,7 +183,7 @@ S_Fmin = 1.5
       Rule<Input>{[](const Input& in) { return in.z_1 <= in.z_2; }, "z_1, z_2",
                   "gear 1 is the pinion and must not have more teeth than gear 2; if gear 2 drives, give T_1 negative"},
       Rule<Input>{&cones_meet, "Sigma, z_1, z_2",
-                  "a pitch cone angle would exceed 90 deg at this shaft angle: reduce Sigma, or the gear ratio"},
+                  "a pitch cone angle would exceed 90° at this shaft angle: reduce Sigma, or the gear ratio"},
       Rule<Input>{&face_fits, "b, m_et, z_1, z_2, Sigma",
                   "the face width must be less than half the outer cone distance", &wide_face},
       Rule<Input>{[](const Input& in) { return !(in.bore_1 >= in.m_et * in.z_1); }, "bore_1, m_et, z_1",

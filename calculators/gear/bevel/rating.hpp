@@ -69,7 +69,7 @@ void strength_factors(const BevelTypes::Input& in, BevelTypes::Result& r, Tracer
     STEP(t_F, 1.8 * in.T_G / kelvin - 459.67, "temperature in deg F");
     STEP_TO(r, K_T, t_F > 250.0 ? (460.0 + t_F) / 710.0 : 1.0, "[AGMA2003]");
   } else {
-    r.K_T = trace.value("K_T", 1.0, "up to 121 deg C (250 deg F), [AGMA2003]");
+    r.K_T = trace.value("K_T", 1.0, "up to 121 °C (250 °F), [AGMA2003]");
   }
 }
 

@@ -115,7 +115,7 @@ C_adm = "2 MPa"
 
   static constexpr std::array rules{
       Rule<Input>{&crosses, "beta_1, beta_2",
-                  "the shafts are parallel or nearly so: beta_1 + beta_2 must be at least 5 deg in size; use gear.pair "
+                  "the shafts are parallel or nearly so: beta_1 + beta_2 must be at least 5° in size; use gear.pair "
                   "for parallel shafts"},
       Rule<Input>{&drives, "beta_2, mu, alpha_n", "gear 1 cannot drive gear 2 against friction: reduce beta_2, or mu"},
       Rule<Input>{[](const Input& in) { return in.h_fP > in.h_aP; }, "h_fP, h_aP",

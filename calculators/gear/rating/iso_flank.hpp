@@ -13,7 +13,7 @@ template <class Tracer>
 void lubricant_film(const Input& in, const PairResult& g, Stress softer, Result& r, Tracer& trace) {
   const double alpha_wt = g.alpha_wt;
   const double sigma_s = trace.value("sigma_s", softer / MPa, "allowable stress number of the softer gear, MPa");
-  const double nu_o = trace.value("nu_o", in.nu_40 / mm2_per_s, "viscosity of the oil at 40 deg C, mm^2/s");
+  const double nu_o = trace.value("nu_o", in.nu_40 / mm2_per_s, "viscosity of the oil at 40 °C, mm^2/s");
   STEP(C_ZL, 0.83 + 0.08 * min(max((sigma_s - 850.0) / 350.0, 0.0), 1.0), "constant, [ISO6336-2] 2006, clause 12");
   STEP_TO(r, Z_L, C_ZL + 4.0 * (1.0 - C_ZL) / pow<2>(1.2 + 134.0 / nu_o),
           "lubricant factor, [ISO6336-2] 2006, clause 12");

@@ -127,7 +127,7 @@ S_Fmin = 1.4
       Choice{&Input::finish, "finish", "finish of the flanks"}.may_be_missing(),
       Field{&Input::R_z1, "R_z1", um, "flank roughness, gear 1"}.positive().usually(0.5, 40).may_be_missing(),
       Field{&Input::R_z2, "R_z2", um, "flank roughness, gear 2"}.positive().usually(0.5, 40).may_be_missing(),
-      Field{&Input::nu_40, "nu_40", mm2_per_s, "kinematic viscosity of the oil at 40 deg C (ISO 6336-2)"}
+      Field{&Input::nu_40, "nu_40", mm2_per_s, "kinematic viscosity of the oil at 40 °C (ISO 6336-2)"}
           .positive()
           .usually(10, 2000)
           .may_be_missing(),

@@ -78,7 +78,7 @@ template <class Tracer>
 double form_factor(const Input& in, Tracer& trace) {
   STEP(alpha_d, in.alpha_n / deg, "pressure angle in degrees");
   return NAMED_STEP("y", alpha_d < 20.0 ? 0.1 + 0.025 * (alpha_d - 14.5) / 5.5 : 0.125 + 0.005 * (alpha_d - 20.0),
-                    "0.100, 0.125, 0.150, 0.175 at 14.5, 20, 25, 30 deg, [AGMA6034]");
+                    "0.100, 0.125, 0.150, 0.175 at 14.5, 20, 25, 30°, [AGMA6034]");
 }
 
 template <class Tracer>

@@ -144,7 +144,7 @@ dT_adm = "60 K"
       Rule<Input>{[](const Input& in) { return !is_set(in.d_1) || !is_set(in.m_x) || in.d_1 > 2.0 * in.h_fP * in.m_x; },
                   "d_1, m_x, h_fP", "the worm has no core: d_1 must exceed twice the dedendum h_fP m_x"},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_1) || !is_set(in.m_x) || in.m_x * in.z_1 <= in.d_1; },
-                  "z_1, m_x, d_1", "the lead angle must not exceed 45 deg: increase d_1, or reduce z_1"},
+                  "z_1, m_x, d_1", "the lead angle must not exceed 45°: increase d_1, or reduce z_1"},
       Rule<Input>{[](const Input& in) { return in.h_fP - in.h_aP >= 0.1 - 1e-9; }, "h_fP, h_aP",
                   "the dedendum must exceed the addendum by at least 0.1, the tip clearance in modules"},
       Rule<Input>{[](const Input& in) {

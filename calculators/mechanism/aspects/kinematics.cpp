@@ -81,7 +81,7 @@ constexpr std::array carried_point_rows{
         [](const CarriedPoint&, const Vec& d) { return d.y; }, nullptr, "with a crank as the only drive")};
 
 constexpr Declaration gamma =
-    declare("joints.NAME.gamma", "transmission angle, 90 deg is best", deg,
+    declare("joints.NAME.gamma", "transmission angle, 90° is best", deg,
             "the inner joint of a dyad with two assemblies", {.kind = Kind::transmission_angle});
 constexpr Declaration swing = declare("links.NAME.swing", "angle between the extreme positions of the cycle", deg,
                                       "with one drive, over a cycle", {.detail = true});

@@ -56,7 +56,7 @@ Message side_meaning(const mechanism::Model& model, const mechanism::DyadClosing
 
 Cell remark(double gamma) {
   if (gamma >= least_gamma) return std::string("–");
-  return gamma >= least_gamma_light ? say("below 40 deg: light loads only") : say("below 30 deg");
+  return gamma >= least_gamma_light ? say("below 40°: light loads only") : say("below 30°");
 }
 
 /// Teeth press at the same angle at every position.

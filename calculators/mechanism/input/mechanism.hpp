@@ -142,7 +142,7 @@ F_y = "0 N"
                                                                                                                    30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
       Field{&Input::gamma_min, "gamma_min", deg,
-            "required minimum transmission angle of every dyad: 40 deg in general, 30 deg for light loads"}
+            "required minimum transmission angle of every dyad: 40° in general, 30° for light loads"}
           .within(25, 90)
           .may_be_missing(),
       Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads only"}.may_be_missing()};

@@ -143,7 +143,7 @@ void bound_motion(const Bar::Input& in, Bar::Result& r, Tracer& trace) {
   const double swing = phi_4min > 0.0 && phi_4max < pi ? phi_4max - phi_4min
                        : phi_4min > 0.0                ? 2.0 * (pi - phi_4min)
                                                        : 2.0 * phi_4max;
-  r.theta_4 = trace.angle("theta_4", swing, "between the limits, through 0 or 180 deg where these are reached");
+  r.theta_4 = trace.angle("theta_4", swing, "between the limits, through 0 or 180° where these are reached");
   if (r.type != Bar::Type::crank_rocker) return;
   const double stroke = s.phi_1 < f.phi_1 ? f.phi_1 - s.phi_1 : f.phi_1 - s.phi_1 + turn;
   r.Q = trace.value("Q", std::max(stroke, turn - stroke) / std::min(stroke, turn - stroke),
@@ -161,7 +161,7 @@ void assess_range(const Bar::Input& in, Bar::Result& r, Tracer& trace) {
   const double mu_min = r.mu_min = trace.angle("mu_min", std::acos(std::min(1.0, worst.cosine)), "arccos(c_max)");
   if (is_set(in.mu_req)) {
     const double mu_req = in.mu_req;
-    STEP_TO(r, u_mu, (pi / 2.0 - mu_min) / (pi / 2.0 - mu_req), "deviation from 90 deg over the allowable one");
+    STEP_TO(r, u_mu, (pi / 2.0 - mu_min) / (pi / 2.0 - mu_req), "deviation from 90° over the allowable one");
   }
   const auto M_4 = in.M_4;
   const double i = r.i;

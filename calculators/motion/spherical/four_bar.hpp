@@ -135,7 +135,7 @@ M_4 = "10 N*m"
       Field{&Result::mu_min, "mu_min", deg, "minimum transmission angle over the input range, acute"},
       Field{&Result::phi_mu, "phi_mu", deg, "input angle at the minimum transmission angle"},
       Field{&Result::u_c, "u_c", ratio, "closure: maximum of |cos(mu)| over the input range / 1"}.check(),
-      Field{&Result::u_mu, "u_mu", ratio, "transmission angle: maximum deviation from 90 deg / 90 deg - mu_req"}.check(
+      Field{&Result::u_mu, "u_mu", ratio, "transmission angle: maximum deviation from 90° / 90° - mu_req"}.check(
           "mu_req"),
       Field{&Result::i_min, "i_min", ratio, "minimum velocity ratio over the input range"},
       Field{&Result::i_max, "i_max", ratio, "maximum velocity ratio over the input range"},
@@ -152,7 +152,7 @@ M_4 = "10 N*m"
       Rule<Input>{
           &arcs_close, "alpha_1, alpha_2, alpha_3, alpha_4",
           "the arcs must close: the largest must be less than the sum of the other three, and all four together "
-          "less than 360 deg"},
+          "less than 360°"},
       Rule<Input>{&closes_at_phi, "phi_1, alpha_1, alpha_2, alpha_3, alpha_4",
                   "the linkage must close at phi_1, away from a dead position", &open_at_phi},
       Rule<Input>{[](const Input& in) { return is_set(in.phi_a) == is_set(in.phi_b); }, "phi_a, phi_b",

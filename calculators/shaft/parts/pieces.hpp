@@ -107,7 +107,7 @@ struct Seat {
           .may_be_missing(),
       Field{&Seat::angle, "angle", deg, "direction to the mating part, or of the pull: angle of F_x from X to Y"},
       Field{&Seat::F_x, "F_x", N, "force toward the mating part, or along the pull; negative: away from it"}.load(),
-      Field{&Seat::F_y, "F_y", N, "force perpendicular to F_x, 90 deg further from X to Y"}.load(),
+      Field{&Seat::F_y, "F_y", N, "force perpendicular to F_x, 90° further from X to Y"}.load(),
       Field{&Seat::F_z, "F_z", N, "axial force, positive to the right"}.load(),
       Field{&Seat::psi, "psi", deg,
             "shaft angle at each position of a revolution, from X to Y; single value: shaft at rest"}

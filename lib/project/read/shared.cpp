@@ -348,6 +348,20 @@ const Value* Values::fixed(const std::string& name) const {
   return is_one ? &found->second.literal : nullptr;
 }
 
+std::vector<const Value*> Values::numbers() const {
+  std::vector<const Value*> all;
+  for (const auto& [name, shared] : all_)
+    if (const Value* const one = fixed(name)) all.push_back(one);
+  return all;
+}
+
+std::vector<std::string_view> Values::texts() const {
+  std::vector<std::string_view> all;
+  for (const auto& [name, shared] : all_)
+    if (shared.tree.type == Tree::Type::text) all.emplace_back(shared.tree.text);
+  return all;
+}
+
 Meant Values::kind(const std::string& name) const {
   const auto found = all_.find(name);
   if (found == all_.end()) return Meant::nothing;

@@ -54,6 +54,10 @@ class Values {
   /// Marks every value named in the texts of a tree as used: in steps and expectations.
   void note_uses(const toml::Tree& tree);
 
+  /// All that are one number, whether a step refers to them or not, calculated or not.
+  [[nodiscard]] std::vector<const Value*> numbers() const;
+  /// What is typed for them: literals, words, expressions.
+  [[nodiscard]] std::vector<std::string_view> texts() const;
   [[nodiscard]] std::vector<Several> several() const;
   /// Sets such a value to one of its values.
   void set(const std::string& name, double si);

@@ -20,6 +20,7 @@
 #include "lib/project/references/space/lubrication.hpp"
 #include "lib/project/references/space/seat_notches.hpp"
 #include "lib/project/references/stated/stated.hpp"
+#include "lib/project/references/titles/titles.hpp"
 
 namespace loadpath::project {
 
@@ -40,7 +41,8 @@ std::vector<ReducedLoad> contradictions(const Step& step, const Project& project
         powers_of_chained(step, project), values_of_seats(step, project), values_of_unlinked(step, project),
         values_of_vessels(step, project), values_in_disagreement(step, project), values_in_collision(step, project),
         lubrication_of_others(step, project), strengths_out_of_proportion(step, project),
-        notches_of_seats(step, project), stated_and_not_taken(step, project)})
+        notches_of_seats(step, project), titles_of_other_loads(step, project), titles_of_other_choices(step, project),
+        stated_and_not_taken(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

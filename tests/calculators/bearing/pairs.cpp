@@ -184,6 +184,15 @@ TEST_SUITE("rolling bearing") {
     CHECK(contains(none.origin("left", "bearing"), "none passes, nearest is"));
   }
 
+  TEST_CASE("of bearings that do not pass, the nearest one has the bore of its seat") {
+    const Solved none(
+        "[left]\ncalculator = \"bearing.rolling\"\nbearing = { stock = \"bearing/62\" }\nF_r = \"10 kN\"\nn = \"500 "
+        "rpm\"\n"
+        "L_h = \"10000 h\"\ns_0 = 1\nd_s = \"35 mm\"\nd_f = \"40 mm\"\n");
+    CHECK(none.errors().empty());
+    CHECK(contains(none.origin("left", "bearing"), "none passes, nearest is 6207"));
+  }
+
   TEST_CASE("two bearings of a shaft take Y from each other, and the shaft takes their pressure centres") {
     const auto of = [](const std::string& name, const std::string& other, const std::string& row) {
       return "[" + name + "]\ncalculator = \"bearing.rolling\"\nload = \"=shaft.bearings." + name + "\"\nbearing = \"" +

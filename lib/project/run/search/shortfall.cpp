@@ -33,6 +33,9 @@ double excess_over(const Range& bounds, double si) {
   return std::max(1.0, std::max(si / bound, bound / si));
 }
 
+/// Whether a criterion leaves no range: two sizes must be equal.
+bool requires_equality(const Range& bounds) { return bounds.high - bounds.low < 1e-3 * bounds.high; }
+
 /// Adds the shortfall of a row of a list element.
 void add_shortfall_of_element(const FieldInfo& row, double si, Shortfall& shortfall) {
   if (std::isnan(si)) return;  // the limits report a missing value
@@ -180,7 +183,9 @@ Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing) {
       if (numerics::exceeds(largest, shortfall.check)) shortfall.check = largest;
     } else if (const auto bad = rows.first_outside(f)) {
       shortfall.limit = std::max(shortfall.limit, excess_over(f.bounds, *bad));
-      if (f.is_criterion) shortfall.check = std::max(shortfall.check, shortfall.limit), shortfall.fits = false;
+      if (!f.is_criterion) continue;
+      shortfall.check = std::max(shortfall.check, shortfall.limit);
+      shortfall.misfit = std::max(shortfall.misfit, requires_equality(f.bounds) ? Misfit::unequal : Misfit::beyond);
     }
   }
   if (missing && shortfall.limit <= 1.0) shortfall.check = std::numeric_limits<double>::infinity();

@@ -10,10 +10,14 @@
 
 namespace loadpath::project {
 
+/// How badly a candidate misses the criteria of its neighbours; unequal: one of sizes that must be equal, as a bore and
+/// its seat.
+enum class Misfit { none, beyond, unequal };
+
 /// The largest check, and the factor by which limits are exceeded; 1 passes.
 struct Shortfall {
   double check = 1.0, limit = 1.0;
-  bool fits = true;  // no criterion is exceeded
+  Misfit misfit = Misfit::none;
   /// Nearer to passing: the largest of both decides, then the check.
   [[nodiscard]] bool is_less_than(const Shortfall& other) const {
     const double own = std::max(check, limit), others = std::max(other.check, other.limit);
@@ -21,7 +25,7 @@ struct Shortfall {
   }
   /// The same for rows of a table: one that does not fit is never nearer than one that fits.
   [[nodiscard]] bool is_nearer_row_than(const Shortfall& other) const {
-    return fits != other.fits ? fits : is_less_than(other);
+    return misfit != other.misfit ? misfit < other.misfit : is_less_than(other);
   }
 };
 /// At the settled sizes.

@@ -172,9 +172,12 @@ class Settling {
       list(filled, given->key);
     });
     if (filled.empty()) {
+      const Message repeated = say("'{1}' and '{2}' both give {3}", taken.source, step_.name(), kept);
+      const Message unlike = say("'{1}' provides no input of '{2}'", taken.source, step_.name());
       return refuse(taken,
-                    Fault{0, taken.source.size(), say("'{1}' provides no input of '{2}'", taken.source, step_.name()),
-                          say("`loadpath describe {1}` lists the inputs", step_.input().calculator->id)});
+                    Fault{0, taken.source.size(), kept.empty() ? unlike : repeated,
+                          kept.empty() ? say("`loadpath describe {1}` lists the inputs", step_.input().calculator->id)
+                                       : say("delete here what '{1}' is to provide", taken.source)});
     }
     reading_.records.push_back(taken);
     step_.remark(kept.empty() ? say("taken from {1}: {2}", taken.source, filled)

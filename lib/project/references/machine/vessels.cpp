@@ -38,15 +38,24 @@ bool takes_record(const Step& step, std::string_view key) {
   return std::ranges::find(step.input().reading.records, key, &Taken::path) != step.input().reading.records.end();
 }
 
+/// What the step has typed of a shell that it could refer to: "p, D_i, c".
+std::string typed_of_shell(const Step& step) {
+  std::string keys;
+  for (const char* const key : {"p", "D_i", "D_o", "c"})
+    if (step.input().reading.typed.contains(key)) keys += (keys.empty() ? "" : ", ") + std::string(key);
+  return keys;
+}
+
 /// An end whose pressure is typed, in a file with a shell that it does not refer to.
 void compare_shell(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   const auto& fields = step.input().calculator->input->fields;
   if (find_field(fields, "shell") == nullptr || !step.input().reading.typed.contains("p")) return;
   const Step* const shell = step_with(project, "shell");
   if (shell == nullptr || takes_record(step, "shell")) return;
-  found.push_back({"p", say("the end does not refer to '{1}', whose pressure, diameter and allowance it has: give "
-                            "shell = \"={1}.shell\", or because.p = \"...\" if it is of another vessel",
-                            shell->name())});
+  found.push_back(
+      {"p", say("the end gives {2} itself next to '{1}': replace them by shell = \"={1}.shell\", or justify "
+                "it for another vessel: because.p = \"...\"",
+                shell->name(), typed_of_shell(step))});
 }
 
 /// The share of its thickness that the shell needs, below which an end may not count on its strength.

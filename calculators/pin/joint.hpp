@@ -44,7 +44,8 @@ struct Joint {
   static constexpr auto headline = "d = {d}";
   static constexpr auto subject = "pin and eyes";
   static constexpr auto synonyms =
-      "clevis pin, pin joint, fork pin, gudgeon pin, wrist pin, hinge pin, knuckle joint, bearing pressure, "
+      "clevis pin, pin joint, fork pin, gudgeon pin, wrist pin, crosshead pin, hinge pin, knuckle joint, bearing "
+      "pressure, "
       "pv value, Bolzenverbindung, Gabel, Gelenkbolzen, Flächenpressung, clevis, Bolzen, Gelenk, палец, "
       "шарнирный палец, ось шарнира, вилка, проушина";
   static constexpr auto example = R"([project]

@@ -43,7 +43,8 @@ struct Design {
       "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises], [Foeppl], [AGMA927]";
   static constexpr auto headline = "d = {d_max}";
   static constexpr auto synonyms =
-      "shaft, stepped shaft, shaft calculation, bearing reaction, deflection, slope, critical speed, whirling, "
+      "shaft, stepped shaft, layshaft, countershaft, jackshaft, axle, shaft calculation, bearing reaction, deflection, "
+      "slope, critical speed, whirling, "
       "Campbell diagram, torsional vibration, shaft fatigue, stress concentration, notch, shoulder, keyway, "
       "DIN 743, FKM, Welle, Achse, Wellenberechnung, Durchbiegung, biegekritische Drehzahl, Kerbwirkung, "
       "bending and torsion, Absatzwelle, вал, расчёт вала, прогиб, критическая частота вращения, "

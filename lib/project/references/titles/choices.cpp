@@ -33,7 +33,8 @@ constexpr std::array statements{
     Statement{"held", "in_eye", {"one side", "single shear", "overhung", "cantilever"}},
     Statement{"loading",
               "steady",
-              {"a day", "per day", "an hour", "per hour", "a minute", "per minute", "strokes", "pulsating"}},
+              {"a day", "per day", "an hour", "per hour", "a minute", "per minute", "strokes", "pulsating"},
+              {"day shift"}},
     Statement{"loading", "steady", {"alternating", "reversing", "reversed", "cyclic", "fluctuating", "every stroke"}},
     Statement{"loading", "pulsating", {"alternating", "reversing", "reversed"}}};
 

@@ -1,5 +1,6 @@
 #include "lib/project/references/titles/quantities.hpp"
 
+#include "lib/project/references/stated/dimensions.hpp"
 #include "lib/quantity/literal.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 namespace loadpath::project {
 
 namespace {
-
-const Dimension torque = Dimension::of(2, 1, -2);
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -62,7 +61,7 @@ class Scanner {
     if (is_of_strokes(unit)) return read_strokes(number, unit);
     const bool is_arm = next == "m" || next == "in" || next == "ft" || next == "mm";
     if (is_arm && unit.find('*') == std::string_view::npos &&
-        add(number, std::string(unit) + "*" + std::string(next), torque))
+        add(number, std::string(unit) + "*" + std::string(next), stated::torque))
       return;
     add(number, std::string(unit));
   }

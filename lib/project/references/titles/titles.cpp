@@ -19,12 +19,10 @@ constexpr double gravity = 9.80665;  // m/s^2
 constexpr double as_rounded = 0.03;  // of numbers in titles
 constexpr double most = 0.06;        // and with few digits: "98 rpm" of 97.6 rpm, "5 t" of 5.2 t
 
-const Dimension torque = Dimension::of(2, 1, -2);
-const Dimension power = Dimension::of(2, 1, -3);
-
 /// Whether a part is sized by quantities of this kind; lengths, areas and times in a title may be of anything.
 bool is_of_rating(const Dimension& dimension) {
-  const std::array kinds{stated::mass, stated::force, torque, power, stated::rate, stated::pressure, stated::heat};
+  const std::array kinds{stated::mass, stated::force,    stated::torque, stated::power,
+                         stated::rate, stated::pressure, stated::heat};
   return std::ranges::find(kinds, dimension) != kinds.end();
 }
 

@@ -68,7 +68,7 @@ class Scanner {
 
   static bool is_of_strokes(std::string_view unit) {
     constexpr std::array<std::string_view, 6> words{"strokes", "blows", "cycles", "lifts", "turns", "revolutions"};
-    return std::ranges::find(words, unit) != words.end();
+    return std::ranges::find(words, unit.substr(0, unit.find('/'))) != words.end();
   }
 
   /// "strokes a minute", "strokes per minute", "strokes/min".

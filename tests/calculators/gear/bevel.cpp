@@ -175,7 +175,7 @@ TEST_SUITE("gear bevel") {
     const std::string teeth = "z_1 = 20\nz_2 = 40\nb = \"20 mm\"\n";
     says("z_1 = 40\nz_2 = 20\nb = \"20 mm\"\n", "gear 1 is the pinion");
     says("z_1 = 20\nz_2 = 40\nb = \"60 mm\"\n", "less than half the outer cone distance R_e = ");
-    says(teeth + "Sigma = \"150 deg\"\n", "a pitch cone angle would exceed 90 deg");
+    says(teeth + "Sigma = \"150 deg\"\n", "a pitch cone angle would exceed 90°");
     says(teeth + "bore_1 = \"900 mm\"\n", "the bore of gear 1 must be less than its pitch diameter");
     says(teeth + "bore_2 = \"900 mm\"\n", "the bore of gear 2 must be less than its pitch diameter");
     says(teeth + "h_fP = 1.09\n", "by at least 0.1, the tip clearance");

@@ -45,8 +45,14 @@ class Titles {
   }
 
  private:
+  /// Whether a sweep gives an input of such a kind several values: then the title states one of them, or none.
   [[nodiscard]] static bool is_varied(const Project& project) {
-    return std::ranges::any_of(project.steps, [](const auto& step) { return !step->input().reading.varied.empty(); });
+    if (!project.values.several().empty()) return true;
+    return std::ranges::any_of(project.steps, [](const auto& step) {
+      return std::ranges::any_of(step->input().reading.varied, [](const Varied& varied) {
+        return varied.leaf.field != nullptr && is_of_rating(varied.leaf.field->dimension.without_angle());
+      });
+    });
   }
 
   [[nodiscard]] bool is_last_loaded() const {

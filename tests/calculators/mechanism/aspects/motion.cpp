@@ -122,21 +122,21 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     CHECK(text_of(table->rows[0][4]) == "–");
   }
 
-  TEST_CASE("a transmission angle below 40 deg, and below 30 deg, is reported") {
+  TEST_CASE("a transmission angle below 40°, and below 30°, is reported") {
     const auto remark = [](const char* coupler) {
       const auto project = solved(replaced(rocker, "b = \"350 mm\"", coupler));
       return text_of(table_of(project, "Transmission angles")->rows[0][4]);
     };
-    CHECK(remark("b = \"210 mm\"") == "below 30 deg");
+    CHECK(remark("b = \"210 mm\"") == "below 30°");
     CHECK(remark("b = \"290 mm\"") == "–");
-    CHECK(remark("b = \"220 mm\"") == "below 40 deg: light loads only");
+    CHECK(remark("b = \"220 mm\"") == "below 40°: light loads only");
   }
 
   TEST_CASE("teeth have their pressure angle at every position") {
     const auto gears = solved(head + R"(crank = { joint = "O", speed = "60 rpm", positions = 12 }
 ground = { O = ["0 mm", "0 mm"], C = ["60 mm", "0 mm"] }
-links.pinion = { points = { O = ["0 mm", "0 mm"] }, angle = "0 deg" }
-links.wheel = { points = { C = ["0 mm", "0 mm"] }, angle = "0 deg" }
+links.pinion = { points = { O = ["0 mm", "0 mm"] }, angle = "0°" }
+links.wheel = { points = { C = ["0 mm", "0 mm"] }, angle = "0°" }
 joints.O = { type = "revolute", links = ["ground", "pinion"] }
 joints.C = { type = "revolute", links = ["ground", "wheel"] }
 joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"], radii = ["20 mm", "40 mm"] }

@@ -64,4 +64,13 @@ double largest_given(const Project& project, const StepInput& step, const std::s
   return std::isnan(typed) ? 0.0 : typed;
 }
 
+std::set<std::string> values_in(const Operand& operand, const Dimension& dimension, const Project& project) {
+  std::set<std::string> values;
+  for (const auto& reference : operand.expression.references()) {
+    const Value* const value = reference.path.starts_with("values.") ? project.value(reference.path) : nullptr;
+    if (value != nullptr && value->signature.dimension == dimension) values.insert(reference.path);
+  }
+  return values;
+}
+
 }  // namespace loadpath::project

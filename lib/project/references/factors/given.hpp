@@ -3,6 +3,7 @@
 
 #include "lib/project/project.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,5 +29,8 @@ double given_factor(const Project& project, const StepInput& step, const std::st
 /// The same of a load: over a series the largest.
 double largest_given(const Project& project, const StepInput& step, const std::string& key);
 double largest_of(const Project& project, const Operand& operand);
+
+/// The values of [values] of a dimension that an input is computed from: "values.F".
+std::set<std::string> values_in(const Operand& operand, const Dimension& dimension, const Project& project);
 
 }  // namespace loadpath::project

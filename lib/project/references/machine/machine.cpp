@@ -1,5 +1,6 @@
 #include "lib/project/references/machine/machine.hpp"
 
+#include "lib/project/references/actions/partial_factors.hpp"
 #include "lib/project/references/agreement/agreement.hpp"
 #include "lib/project/references/drives/drives.hpp"
 #include "lib/project/references/drives/lives.hpp"
@@ -28,7 +29,8 @@ std::vector<ReducedLoad> stated_and_not_taken(const Step& step, const Project& p
   std::vector<ReducedLoad> all;
   for (const auto& found :
        {loads_left_out(step, project), loads_of_mechanism(step, project), repetitions_of_others(step, project),
-        values_of_idle_steps(step, project), values_of_drives(step, project), values_not_taken(step, project)})
+        values_of_idle_steps(step, project), values_of_drives(step, project), values_not_taken(step, project),
+        partial_factors_of_loads(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

@@ -1,14 +1,13 @@
 #include "lib/project/references/stated/combinations.hpp"
 
 #include "lib/project/references/agreement/stated_names.hpp"
+#include "lib/project/references/factors/given.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/references/stated/dimensions.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -19,43 +18,6 @@ namespace loadpath::project {
 namespace {
 
 const Dimension moment = Dimension::of(2, 1, -2);
-constexpr double least_partial = 1.1, most_partial = 2.0;  // partial factors of unfavourable actions
-
-/// The terms of a sum without parentheses around terms; a subtracted one acts against the others.
-std::vector<std::string> added_terms(const std::string& text) {
-  std::vector<std::string> terms;
-  int depth = 0;
-  bool is_added = true;
-  std::string term;
-  for (const char c : text + "+") {
-    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-    if (depth != 0 || (c != '+' && c != '-')) {
-      term += c;
-      continue;
-    }
-    if (is_added && term.find_first_not_of(' ') != std::string::npos) terms.push_back(term);
-    is_added = c == '+', term.clear();
-  }
-  return terms;
-}
-
-/// The largest bare number that a product begins with or is multiplied with; 1 if it has none.
-double bare_factor(const std::string& term) {
-  double largest = std::nan("");
-  const std::size_t divided = term.find('/');
-  if (divided != std::string::npos && std::atof(term.c_str() + divided + 1) > 1.0) return 1.0;  // a part of the action
-  for (std::size_t at = 0; at < term.size();) {
-    const std::size_t end = std::min(term.find('*', at), term.size());
-    char* rest = nullptr;
-    const std::string factor = term.substr(at, end - at);
-    const double number = std::strtod(factor.c_str(), &rest);
-    const bool is_number =
-        rest != factor.c_str() && std::string_view(rest).find_first_not_of(' ') == std::string_view::npos;
-    if (is_number) largest = std::fmax(largest, number);
-    at = end + 1;
-  }
-  return std::isnan(largest) ? 1.0 : largest;
-}
 
 class Combinations {
  public:
@@ -63,9 +25,7 @@ class Combinations {
 
   std::vector<ReducedLoad> run() {
     for (const Operand& operand : step_.input().reading.operands) {
-      if (operand.leaf.field->is_load && !operand.leaf.field->dimension.is_number()) compare_terms(operand);
-      if (operand.leaf.field->is_load && operand.leaf.field->dimension == stated::force)
-        compare_characteristic(operand), compare_moments(operand);
+      if (operand.leaf.field->is_load && operand.leaf.field->dimension == stated::force) compare_moments(operand);
     }
     for (const auto& [name, value] : project_.values.unused()) {
       const double si = std::abs(value.si.front());
@@ -85,75 +45,12 @@ class Combinations {
  private:
   void add(const std::string& path, Message message) { found_.push_back({path, std::move(message)}); }
 
-  /// A term of values without a partial factor, next to one with it.
-  void compare_terms(const Operand& operand) {
-    const auto terms = added_terms(operand.text);
-    const auto is_partial = [](const std::string& term) {
-      const double factor = bare_factor(term);
-      return factor >= least_partial && factor <= most_partial;
-    };
-    if (terms.size() < 2 || std::ranges::none_of(terms, is_partial)) return;
-    for (const std::string& term : terms) {
-      const std::size_t first = term.find("values.");
-      const bool is_of_one_value = first != std::string::npos && term.find("values.", first + 1) == std::string::npos;
-      if (!is_of_one_value || is_partial(term)) continue;
-      return add(operand.path, say("{1} adds a term without a partial factor to one with it: give the factor, refer to "
-                                   "a value that states it, or justify it: {2} = \"...\"",
-                                   operand.path, because_key(operand.path)));
-    }
-  }
-
-  /// The values of [values] of a dimension that an input is computed from.
-  [[nodiscard]] std::set<std::string> values_of(const Operand& operand, const Dimension& dimension) const {
-    std::set<std::string> values;
-    for (const auto& reference : operand.expression.references()) {
-      const Value* const value = reference.path.starts_with("values.") ? project_.value(reference.path) : nullptr;
-      if (value != nullptr && value->signature.dimension == dimension) values.insert(reference.path);
-    }
-    return values;
-  }
-
-  /// By how much an input of all parts grows with a value, 1.5 of Q in "=1.35*values.G + 1.5*values.Q".
-  [[nodiscard]] double factor_of(const Operand& operand, const std::string& path) const {
-    std::map<std::string, Value> values;
-    for (const auto& reference : operand.expression.references()) {
-      const Value* const value = project_.value(reference.path);
-      if (value == nullptr || value->is_series()) return std::nan("");
-      values[reference.path] = *value;
-    }
-    const auto known = [&](const std::string& name) -> const Value& { return values.at(name); };
-    const auto result = [&] { return operand.expression.evaluate(known).si.front(); };
-    const double one = result();
-    values.at(path).si.front() *= 2.0;
-    double count = 1.0;  // of the parts that share it
-    for (const auto& [name, value] : values)
-      count *= value.signature.dimension.is_number() ? std::fmax(1.0, std::floor(value.si.front())) : 1.0;
-    return count * (result() - one) / magnitude_at(project_, path);
-  }
-
-  /// "P = =values.G_k + values.Q_k" next to gamma_F = 1.
-  void compare_characteristic(const Operand& operand) {
-    const std::set<std::string> forces = values_of(operand, stated::force);
-    const auto is_characteristic = [](const std::string& path) { return path.ends_with("_k"); };
-    if (forces.empty() || !std::ranges::all_of(forces, is_characteristic) || !has_input("gamma_F")) return;
-    const double gamma_F = own_value(step_, project_, "gamma_F");
-    const auto has_factor = [&](const std::string& path) {
-      const double factor = factor_of(operand, path) * std::fmax(1.0, gamma_F);
-      return !(factor >= 1.0 - stated::rounded && factor < least_partial);  // below, it is divided by a count
-    };
-    if (std::ranges::any_of(forces, has_factor)) return;
-    add(operand.path,
-        say("{1} is computed from characteristic values without partial factors, and gamma_F is {2}: give "
-            "the factors, or justify it: {3} = \"...\"",
-            operand.path, std::isnan(gamma_F) ? "not given" : format_number(gamma_F, 4), because_key(operand.path)));
-  }
-
   /// A vertical action in the moment of the eccentric forces of a column, and not among these forces.
   void compare_moments(const Operand& operand) {
-    const std::set<std::string> forces = values_of(operand, stated::force);
+    const std::set<std::string> forces = values_in(operand, stated::force, project_);
     for (const Operand& other : step_.input().reading.operands) {
       if (!other.leaf.field->is_load || other.leaf.field->dimension != moment) continue;
-      const std::set<std::string> bending = values_of(other, stated::force);
+      const std::set<std::string> bending = values_in(other, stated::force, project_);
       const bool is_shared = std::ranges::any_of(bending, [&](const auto& path) { return forces.contains(path); });
       for (const std::string& path : bending) {
         const std::string name = path.substr(path.find('.') + 1);
@@ -342,7 +239,8 @@ class Combinations {
     for (const Operand& operand : step_.input().reading.operands) {
       if (!operand.leaf.field->is_load) continue;
       double sum = 0.0;
-      for (const std::string& path : values_of(operand, dimension)) sum += std::abs(magnitude_at(project_, path));
+      for (const std::string& path : values_in(operand, dimension, project_))
+        sum += std::abs(magnitude_at(project_, path));
       largest = std::fmax(largest, sum);
     }
     return largest;

@@ -105,13 +105,8 @@ TEST_SUITE("project: symbols of [values]") {
                   {{"wheel_hardness = 280", "H_1"}, {"wheel_hardness = 720", ""}, {"core_hardness = 280", ""}});
   }
 
-  TEST_CASE("characteristic actions, and a vertical action in the moment only") {
-    const std::string k = "G_k = \"120 kN\"\nQ_k = \"90 kN\"\n";
-    check_combined(column("=values.G_k + values.Q_k"), {{k, "P"}});
-    check_combined(column("=1.35*values.G_k + 1.5*values.Q_k"), {{k, ""}});
+  TEST_CASE("a vertical action in the moment only") {
     check_combined(column("=values.G + values.Q"), {{actions, ""}});
-    check_combined(column("=(1.35*values.G_k + 1.5*values.Q_k)/values.n"), {{k + "n = 2\n", ""}});
-    check_combined(column("=(values.G_k + values.Q_k)/values.n"), {{k + "n = 2\n", "P"}});
     const auto beam = [](const std::string& P) {
       return example_of("column.beam_column", "P = \"" + P + "\"\nM_y_1 = \"=(1.35*values.G + 1.5*values.Q)*(40 mm)\"");
     };
@@ -157,20 +152,6 @@ TEST_SUITE("project: symbols of [values]") {
 }
 
 TEST_SUITE("project: loads combined of [values]") {
-  TEST_CASE("partial factors") {
-    const std::string values = "[values]\n" + actions + "g_Q = 1.5\n\n";
-    const auto found = [&](const std::string& P) {
-      return inputs_found(&project::values_left_out_of_loads, values + column(P));
-    };
-    for (const std::string P :
-         {"=1.35*values.G + values.Q", "=values.Q + 1.35*values.G", "=1.35*values.G + 0.15*values.Q"})
-      CHECK_MESSAGE(found(P) == "P", P);
-    for (const std::string P : {"=1.35*values.G + 1.5*values.Q", "=1.35*values.G + 1.5*0.7*values.Q",
-                                "=values.G + values.Q", "=1.35*values.G + values.g_Q*values.Q",
-                                "=1.35*(values.G + values.Q)", "=1.35*values.G + 1.5*values.Q - values.G"})
-      CHECK_MESSAGE(found(P).empty(), P);
-  }
-
   TEST_CASE("actions that no step takes") {
     check_combined(column("=1.35*values.G"), {{actions, "P"}});
     check_combined(column("=1.35*values.G + 1.5*values.Q"), {{actions, ""},

@@ -99,8 +99,15 @@ class MotorCheck {
         name == "n" || name == "n_1" || (name.starts_with("n_") && (is_motor(name) || is_of_machine(name, project_)));
     const double here = std::abs(own_value(step_, project_, speed_));
     if (!is_speed || std::isnan(here) || is_speed_of_shaft(si, project_)) return;
+    if (si < here && is_overspeed_of(name)) return;
     if (is_geared(si, here, project_)) return;
     add(speed_, name, format_quantity(si, "rpm", 4), speed_ + " = " + format_quantity(here, "rpm", 4));
+  }
+
+  /// "n_over" in the step, for "n": the part is assessed for more than its speed.
+  [[nodiscard]] bool is_overspeed_of(const std::string& name) const {
+    const std::string& taken = step_.input().reading.typed.at(speed_).shared;
+    return taken.starts_with("values." + name + "_") && is_of_overspeed(taken);
   }
 
   /// A motor that is weaker than its drive.

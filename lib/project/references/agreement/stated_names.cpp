@@ -91,6 +91,11 @@ bool is_named(const Step& step, std::string_view word) {
   return has_text_word(step.name(), word) || has_text_word(step.input().title, word) || names_row(step, word);
 }
 
+bool is_named(const Project& project, std::string_view word) {
+  return has_text_word(project.title, word) ||
+         std::ranges::any_of(project.steps, [&](const auto& step) { return is_named(*step, word); });
+}
+
 bool is_of_other_state(std::string_view name) {
   return has_word(
       name, {"idle",     "motor",  "mot",      "engine",   "adm",   "zul",     "allow",   "allowable", "perm",
@@ -110,14 +115,17 @@ bool is_of_machine(std::string_view name, const Project& project) {
                 "pump",    "blower",  "mixer",  "winch",     "hoist", "saw",  "compressor", "conveyor", "spindle"}))
     return true;
   if (last.size() < fewest_letters) return false;
-  return has_text_word(project.title, last) ||
-         std::ranges::any_of(project.steps, [&](const auto& step) { return is_named(*step, last); });
+  return is_named(project, last);
 }
 
 double factors_included(std::string_view name, const Step& step, const Project& project) {
   if (!has_word(name, {"ed", "sd", "design"})) return 1.0;
   const double K_A = own_value(step, project, "K_A"), gamma_F = own_value(step, project, "gamma_F");
   return std::fmax(1.0, K_A) * std::fmax(1.0, gamma_F);
+}
+
+bool is_of_overspeed(std::string_view name) {
+  return has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin", "top", "fast"});
 }
 
 bool is_of_vacuum(std::string_view name) {

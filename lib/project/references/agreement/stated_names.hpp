@@ -25,12 +25,18 @@ bool is_of_other_state(std::string_view name);
 /// punch".
 bool is_named(const Step& step, std::string_view word);
 
+/// Whether the word is in the title of the project, or in the name or title of one of its steps.
+bool is_named(const Project& project, std::string_view word);
+
 /// Whether the last word of a name is a part of this machine, by the names and titles of the file, or its design load:
 /// "P_fan" of a "V-belt drive of a fan", "N_Ed". Those of other states are not.
 bool is_of_machine(std::string_view name, const Project& project);
 
 /// The factors of the step, K_A and gamma_F, that a design load of this name includes: "P_design", "F_Ed"; 1 of others.
 double factors_included(std::string_view name, const Step& step, const Project& project);
+
+/// Whether a name means a speed above that of service: "n_over", "n_trip".
+bool is_of_overspeed(std::string_view name);
 
 /// Whether a name means a vacuum or an external pressure: "p_vac", "vacuum", "p_ext".
 bool is_of_vacuum(std::string_view name);

@@ -1,5 +1,7 @@
 #include "lib/project/references/drives/drives.hpp"
 
+#include "lib/project/references/drives/efficiencies.hpp"
+#include "lib/project/references/drives/elements.hpp"
 #include "lib/project/references/drives/formulas.hpp"
 #include "lib/project/references/drives/one_drive.hpp"
 #include "lib/project/references/drives/own_names.hpp"
@@ -15,7 +17,8 @@ std::vector<ReducedLoad> values_of_drives(const Step& step, const Project& proje
        {ratios_of_stages(step, project), loads_stated_otherwise(step, project), factors_cancelled(step, project),
         loads_of_unloaded_gears(step, project), powers_of_torques(step, project), values_in_part(step, project),
         parts_of_formulas(step, project), torques_at_other_speeds(step, project), hands_in_disagreement(step, project),
-        speeds_of_taken_powers(step, project), torques_of_faster_shafts(step, project)})
+        speeds_of_taken_powers(step, project), torques_of_faster_shafts(step, project),
+        efficiencies_of_outputs(step, project), torques_of_other_elements(step, project)})
     all.insert(all.end(), found.begin(), found.end());
   return all;
 }

@@ -116,13 +116,6 @@ bool is_of_one_load(const Formula& formula, const FieldInfo& field) {
   return std::ranges::all_of(powers, [&](const auto& one) { return is_load(one) || is_application_factor(one.path); });
 }
 
-/// Whether the load is a value of [values] with a word of its own, "T_each", which states a share.
-bool states_share(const Step& step, const Operand& operand) {
-  const auto typed = step.input().reading.typed.find(operand.path);
-  if (typed == step.input().reading.typed.end()) return false;
-  return typed->second.shared.find('_') != std::string::npos;
-}
-
 class Formulas {
  public:
   Formulas(const Step& step, const Project& project) : step_(step), project_(project) {}
@@ -147,7 +140,7 @@ class Formulas {
     const double share = std::abs(formula.product.number) / usual_number(formula, field);
     if (formula.application_factors < 0 && compare_cancelled(operand, formula)) return;
     const bool is_compared = share > 0.0 && share < least_share && !is_multiple_of_one(formula, field);
-    if (!is_compared || (states_share(step_, operand) && !has_other_count(share) && !cancels_factor(share)) ||
+    if (!is_compared || (states_share(operand) && !has_other_count(share) && !cancels_factor(share)) ||
         is_half_of_two(step_, operand, share) || is_count_of_parts(step_, project_, operand, share))
       return;
     if (cancels_factor(share) && compare_cancelled(operand, formula)) return;
@@ -162,6 +155,16 @@ class Formulas {
     add(operand.path, say("{1} is {2} times the result of its formula, and no input takes the rest: refer to a value "
                           "that states the share or the number of parts, or justify it: {3} = \"...\"",
                           operand.path, format_number(share, 4), because_key(operand.path)));
+  }
+
+  /// Whether the load is a value of [values] with a word of its own, "T_each", which states a share, or a multiple or
+  /// half of it.
+  [[nodiscard]] bool states_share(const Operand& operand) const {
+    const auto typed = step_.input().reading.typed.find(operand.path);
+    if (typed == step_.input().reading.typed.end()) return false;
+    if (typed->second.shared.find('_') != std::string::npos) return true;
+    const double named = number_of_named_value(operand, project_);
+    return named >= least_share || is_half_of_two(step_, operand, named);
   }
 
   /// "T_drum = F*d/2/1.4" next to K_A = 1.4; a whole number is that of parts.

@@ -90,7 +90,7 @@ bool reduce_to_product(Probe& probe, std::vector<std::string>& rest) {
 
 }  // namespace
 
-std::optional<Product> product_of(const Operand& operand, const Project& project) {
+std::optional<Product> product_with_sizes(const Operand& operand, const Project& project) {
   constexpr double most_exponent = 8.0;
   Probe probe(operand, project);
   if (!probe.is_known()) return std::nullopt;
@@ -100,7 +100,7 @@ std::optional<Product> product_of(const Operand& operand, const Project& project
   Product product;
   if (!reduce_to_product(probe, product.rest)) return std::nullopt;
   product.number = std::abs(probe.result());
-  Dimension of_numbers = operand.leaf.field->dimension.without_angle();
+  product.of_numbers = operand.leaf.field->dimension.without_angle();
   for (const auto& [path, dimension] : dimensions) {
     if (std::ranges::find(product.rest, path) != product.rest.end()) continue;
     const double exponent = exponent_of(probe, path);
@@ -108,13 +108,17 @@ std::optional<Product> product_of(const Operand& operand, const Project& project
     const int power = static_cast<int>(exponent);
     if (power == 0) continue;
     product.powers.push_back({path, power, dimension});
-    of_numbers = of_numbers / dimension.power(power);
+    product.of_numbers = product.of_numbers / dimension.power(power);
   }
-  if (of_numbers == Dimension::of(1, 0, -2)) {
-    product.number /= standard_gravity;
-  } else if (!of_numbers.is_number()) {
+  return product;
+}
+
+std::optional<Product> product_of(const Operand& operand, const Project& project) {
+  auto product = product_with_sizes(operand, project);
+  if (product && product->of_numbers == Dimension::of(1, 0, -2))
+    product->number /= standard_gravity;
+  else if (product && !product->of_numbers.is_number())
     return std::nullopt;  // a size that is a number here
-  }
   return product;
 }
 

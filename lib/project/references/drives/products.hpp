@@ -17,10 +17,13 @@ struct Product {
   };
   double number = 1.0;            // plain numbers and pi, without the acceleration of gravity
   std::vector<Power> powers;      // of values of [values], and of application factors
+  Dimension of_numbers;           // of the numbers together
   std::vector<std::string> rest;  // values in the other terms of a sum, which counts as one of its terms
 };
 
-/// Nothing if the input is computed from anything else, or in another way.
+/// Nothing if the input is computed from anything else, or in another way. Its numbers may have units.
+std::optional<Product> product_with_sizes(const Operand& operand, const Project& project);
+/// The same, of plain numbers only, and the acceleration of gravity.
 std::optional<Product> product_of(const Operand& operand, const Project& project);
 
 /// "K_A", and that of another step: "chain.K_A".

@@ -1,11 +1,13 @@
 #include "lib/project/references/drives/shares.hpp"
 
 #include "lib/calculator/meaning.hpp"
+#include "lib/project/references/drives/products.hpp"
 #include "lib/project/references/origins.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <string_view>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -52,7 +54,7 @@ bool is_half_of_two(const Step& step, const Operand& operand, double share) {
   const Dimension& dimension = operand.leaf.field->dimension;
   const bool is_on_shaft = operand.path.starts_with("seats");  // the other half would be on it, too
   const bool is_shared = !is_on_shaft && (dimension == Dimension::of(1, 1, -2) || dimension == Dimension::of(0, 1, 0));
-  if (!is_shared || share < (1.0 - few_digits) * half) return false;
+  if (!is_shared || !(share >= (1.0 - few_digits) * half)) return false;
   std::string text = operand.text;
   std::erase(text, ' ');
   for (std::size_t at = text.find("/2"); at != std::string::npos; at = text.find("/2", at + 1)) {
@@ -60,6 +62,20 @@ bool is_half_of_two(const Step& step, const Operand& operand, double share) {
     if (next != '.' && std::isdigit(static_cast<unsigned char>(next)) == 0) return true;
   }
   return text.find("0.5*") != std::string::npos || text.ends_with("*0.5");
+}
+
+double number_of_named_value(const Operand& operand, const Project& project) {
+  auto written = Expression::parse(operand.text);
+  if (!written) return std::nan("");
+  const bool is_of_value = std::ranges::any_of(written->references(), [&](const auto& reference) {
+    const Value* const value = value_of_file(project, reference.path);
+    return reference.path.find('_') != std::string::npos && value != nullptr &&
+           value->signature.dimension == operand.leaf.field->dimension;
+  });
+  if (!is_of_value) return std::nan("");
+  Operand here{operand.path, operand.leaf, std::move(*written), operand.text, operand.place};
+  const auto product = product_of(here, project);
+  return product ? std::abs(product->number) : std::nan("");
 }
 
 double taken_in_parts(const Project& project, const std::string& values, double whole, const Dimension& dimension,

@@ -26,6 +26,10 @@ bool is_count_of_parts(const Step& step, const Project& project, const Operand& 
 /// of a column or of a mechanism is that of the whole.
 bool is_half_of_two(const Step& step, const Operand& operand, double share);
 
+/// The number in the formula of an input as it is written, where it refers to a value of its dimension with a word of
+/// its own: 0.5 of "=values.phi*values.R_max/2", whatever R_max is computed from; NaN of any other formula.
+double number_of_named_value(const Operand& operand, const Project& project);
+
 /// What the inputs of the project take of a whole, named by the values that it is computed from, in parts, as loads of
 /// this dimension. A shaft that carries the whole in front of its hubs takes none of their parts.
 using ValuesOf = std::function<std::string(const Operand& operand)>;

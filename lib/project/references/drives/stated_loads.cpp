@@ -32,8 +32,11 @@ bool has_input(const Step& step, const char* key) {
   return find_field(step.input().calculator->input->fields, key) != nullptr;
 }
 
-/// Drives have a speed at both sides, and their load as a power or a torque.
+}  // namespace
+
 bool is_drive(const Step& step) { return has_input(step, "n_1") && (has_input(step, "P") || has_input(step, "T_1")); }
+
+namespace {
 
 /// The input that holds the load: "T_1"; empty if none is given.
 std::string load_of(const Step& step, const Project& project) {

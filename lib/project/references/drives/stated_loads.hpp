@@ -20,4 +20,7 @@ std::vector<ReducedLoad> powers_of_torques(const Step& step, const Project& proj
 /// "P = =values.P/values.K_A" in a step that applies this factor again: it has no effect then.
 std::vector<ReducedLoad> factors_cancelled(const Step& step, const Project& project);
 
+/// Whether a step is a drive: a speed at both sides, and the load as a power or a torque.
+bool is_drive(const Step& step);
+
 }  // namespace loadpath::project

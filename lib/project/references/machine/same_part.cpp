@@ -75,7 +75,8 @@ class PartCheck {
       const bool is_alike = connects(*other) && there != other->input().reading.typed.end() &&
                             !torque->second.shared.empty() && there->second.shared == torque->second.shared;
       if (!is_alike) continue;
-      const double d = own_value(step_, project_, "d"), seat = own_value(*other, project_, "d");
+      const bool is_across = find_field(other->input().calculator->input->fields, "d_w") != nullptr;  // d of its pin
+      const double d = own_value(step_, project_, "d"), seat = own_value(*other, project_, is_across ? "d_w" : "d");
       if (!(seat < step_of_bearing * d)) continue;
       found_.push_back({"d", say("d = {1}, and '{2}' with the same torque has {3}: assess the thinnest diameter of the "
                                  "shaft, or justify it: because.d = \"...\"",

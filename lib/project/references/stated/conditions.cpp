@@ -282,9 +282,7 @@ class Conditions {
     constexpr double most = 3.0;
     const bool is_most = name == "n_max" && (id_ == "machine.disc" || id_ == "shaft.press_fit");
     const std::string key = speed_of_part();
-    if (!(is_most || has_word(name, {"over", "overspeed", "trip", "runaway", "burst", "spin", "top", "fast"})) ||
-        key.empty())
-      return;
+    if (!(is_most || is_of_overspeed(name)) || key.empty()) return;
     const auto has_it = [&](const auto& one) {
       return std::ranges::any_of(std::array{"n", "n_1", "n_2", "omega"}, [&](const char* speed) {
         return std::abs(own_value(*one, project_, speed)) >= si * (1.0 - 1e-3);

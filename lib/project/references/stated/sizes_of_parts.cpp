@@ -78,12 +78,14 @@ class SizesOfParts {
     const bool is_of_rows = id_of(step_) == "shaft.design" || id_of(step_) == "mechanism.planar" ||
                             id_of(step_) == "bearing.rolling" || connects(step_);
     const bool is_way = family == "lL" && (id_of(step_).starts_with("belt.") || id_of(step_).starts_with("chain."));
-    const bool is_pulley = family == "dDrR" && has_word(word, {"pulley", "sprocket", "sheave"}) &&
-                           (id_of(step_).starts_with("belt.") || id_of(step_).starts_with("chain."));
+    const bool is_of_wheels =
+        family == "dDrR" && (id_of(step_).starts_with("belt.") || id_of(step_).starts_with("chain."));
+    const bool is_pulley = is_of_wheels && has_word(word, {"pulley", "sprocket", "sheave"});
+    const bool is_driven = is_of_wheels && has_word(word, {"drum", "roller", "fan", "rotor", "impeller", "cylinder"});
     const bool is_weakest =
         family == "dDrR" && has_word(name, {"neck", "groove", "undercut", "relief"});  // "d_neck_nut"
     return (dimension == length && (is_of_state(word) || is_weakest || is_pulley)) ||
-           (word.size() > 2 && !is_of_rows && !is_way && is_named(step_, word));
+           (word.size() > 2 && !is_of_rows && !is_way && !is_driven && is_named(step_, word));
   }
 
   /// Inputs and results of a step under symbols of this family.

@@ -127,12 +127,14 @@ void PlotPicture::label_level(const Level& level) {
   constexpr double least = 2.0, beyond = 11.0;
   if (level.si == 0.0 || level.to.x - level.from.x < least) return;
   const Text text = typeset(with_minus(frame_.y().number(level.si)));
-  const double middle = 0.5 * (level.from.x + level.to.x), zero = frame_.zero_line();
+  const double wide = width(text, text_size), zero = frame_.zero_line();
+  const Box& area = frame_.area();  // the numbers of the axis are beyond it
+  const double low = area.left + 0.5 * wide + 2.0, high = std::max(low, area.right - 0.5 * wide);
+  const double middle = std::clamp(0.5 * (level.from.x + level.to.x), low, high);
   const double outward = level.from.y < zero ? -1.0 : 1.0;
   std::vector<Candidate> places;
   for (const double y : {0.5 * (zero + level.from.y), level.from.y + outward * beyond, zero - outward * beyond}) {
-    places.push_back(
-        {Box::around({middle, y}, width(text, text_size), line_height), static_cast<double>(places.size())});
+    places.push_back({Box::around({middle, y}, wide, line_height), static_cast<double>(places.size())});
   }
   canvas_.centred_text("halo", labels_.place(places), text);
 }

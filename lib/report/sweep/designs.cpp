@@ -232,15 +232,19 @@ Table front_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
   return table;
 }
 
+std::optional<Paragraph> chosen_design(const SweepPlan& plan, const SweepStatistics& found) {
+  const std::vector<DesignRow> rows = found.designs().rows();
+  const bool any = !rows.empty() && rows.front().tally.passing == rows.front().tally.samples;
+  if (!any || plan.output_columns().empty()) return std::nullopt;
+  return plain("Least " + plan.columns[plan.output_columns().front()].name +
+               " of those that always pass: " + described(plan, found, rows.front()));
+}
+
 std::vector<Block> sweep_answer(const Project& project, const SweepPlan& plan, const SweepStatistics& found) {
   std::vector<Block> blocks;
   const auto& designs = found.designs();
   blocks.emplace_back(plain(count_of_designs(plan, found)));
-  const std::vector<DesignRow> rows = designs.rows();
-  const bool any = !rows.empty() && rows.front().tally.passing == rows.front().tally.samples;
-  if (any && !plan.output_columns().empty())
-    blocks.emplace_back(plain("Least " + plan.columns[plan.output_columns().front()].name +
-                              " of those that always pass: " + described(plan, found, rows.front())));
+  if (auto chosen = chosen_design(plan, found)) blocks.emplace_back(std::move(*chosen));
   blocks.emplace_back(design_table(plan, found, most_in_answer));
   const std::uint64_t valid = found.design_counts().valid();
   if (valid > most_in_answer)

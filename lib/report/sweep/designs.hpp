@@ -17,6 +17,9 @@ std::string count_of_designs(const project::SweepPlan& plan, const project::Swee
 /// At most `most` of them, those that always pass first.
 Table design_table(const project::SweepPlan& plan, const project::SweepStatistics& found, std::size_t most);
 
+/// The first of the designs that always pass, with its values; nothing if there is none.
+std::optional<Paragraph> chosen_design(const project::SweepPlan& plan, const project::SweepStatistics& found);
+
 /// The designs that no other beats in every objective, of those that satisfy the demands; with scatter at the quantile
 /// of each objective.
 Table front_of_designs(const project::SweepPlan& plan, const project::SweepStatistics& found);

@@ -87,14 +87,25 @@ Table result_table(const SweepPlan& plan, const SweepStatistics& found) {
   return table;
 }
 
-/// The name of a mode, from that of its column: "shaft.yield" of "shaft.modes.yield.state".
-std::string mode_name(const SweptResult& column) { return column.step + "." + column.mode; }
-
 /// Points of designs that are valid: the denominator of all shares. A sample that violates a rule is a failure of its
 /// design.
 std::uint64_t valid_points(const SweepStatistics& found) {
   return found.tallies().front().total() - found.points_of_invalid();
 }
+
+/// The results that have a value at points of invalid designs: "passes" is 0 there.
+std::optional<Paragraph> with_invalid_points(const SweepPlan& plan, const SweepStatistics& found) {
+  std::string names;
+  for (std::size_t k = 0; k < plan.requested().size(); ++k) {
+    if (found.results()[k].count() > valid_points(found)) names += (names.empty() ? "" : ", ") + plan.columns[k].name;
+  }
+  if (names.empty()) return std::nullopt;
+  return Paragraph{say("Points of invalid designs are included in table and histogram of: {1}.", names),
+                   Paragraph::Tone::note};
+}
+
+/// The name of a mode, from that of its column: "shaft.yield" of "shaft.modes.yield.state".
+std::string mode_name(const SweptResult& column) { return column.step + "." + column.mode; }
 
 Table mode_table(const Project& project, const SweepPlan& plan, const SweepStatistics& found) {
   Table table{say("Failure modes"),
@@ -204,7 +215,7 @@ figure::Figure histogram_of(const SweptResult& column, const sweep::Summary& sum
   curve.x.push_back(curve.x.back());
   curve.y.push_back(0.0);
   plot.curves.push_back(std::move(curve));
-  return {"histogram-" + number(number_of_column + 1), "Histogram of a result over all points", std::move(plot)};
+  return {"histogram-" + number(number_of_column + 1), say("Histogram: {1}", column.name).text(), std::move(plot)};
 }
 
 Paragraph conclusion(const SweepPlan& plan, const SweepStatistics& found) {
@@ -240,9 +251,11 @@ Document sweep_document(const Project& project, const SweepPlan& plan, const Swe
   if (has_scattering_designs(plan) || (headline && *headline != account::Headline::pass))
     blocks.emplace_back(Paragraph{say("{1}.", count_of_designs(plan, found)), Paragraph::Tone::plain});
   blocks.emplace_back(conclusion(plan, found));
+  if (auto chosen = chosen_design(plan, found)) blocks.emplace_back(std::move(*chosen));
   for (Block& block : sweep_charts(project, plan, found, drawn)) blocks.push_back(std::move(block));
   if (!plan.inputs.empty()) blocks.emplace_back(input_table(plan));
   if (!plan.requested().empty()) blocks.emplace_back(result_table(plan, found));
+  if (auto included = with_invalid_points(plan, found)) blocks.emplace_back(std::move(*included));
   blocks.emplace_back(mode_table(project, plan, found));
   if (!found.refusals().empty()) blocks.emplace_back(refused_table(found));
   if (has_scattering_designs(plan)) blocks.emplace_back(design_table(plan, found, most_designs));

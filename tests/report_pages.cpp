@@ -199,12 +199,12 @@ TEST_SUITE("report pages" * test::by_example) {
 
   TEST_CASE("the lines before those of a derivation are a text, each with its formula or its source") {
     const Document document = brief_of(machine("gearbox-shaft"));
-    const Panel* const belts = panel_of(document, "Belts: power rating of the belts");
+    const Panel* const belts = panel_of(document, "From the motor to the shaft: power rating of the belts");
     REQUIRE(belts != nullptr);
     CHECK(belts->remark.empty());
     CHECK(belts->blocks.size() == 2);
     const std::string text = plain(written(*belts));
-    CHECK(contains(text, "Before: P_B = K_A · P = 13.75 kW"));  // 1.25 * 11 kW
+    CHECK(contains(text, "Preliminary values: P_B = K_A · P = 13.75 kW"));  // 1.25 * 11 kW
     CHECK(contains(text, "[Optibelt-V]"));
     CHECK_FALSE(contains(plain(written(*belts)), "appendix"));
   }

@@ -29,19 +29,39 @@ struct Equivalent {
   Force P = unset<Force>;
 };
 
-/// e and Y of the manufacturer's table, or by f_0.
+/// e and Y of the manufacturer's table, or by f_0. Y is shown where the formula of the load needs it.
 template <class Tracer>
 void find_factors(const Input& in, Force F_aK, Equivalent& q, Tracer& trace) {
   q.e = in.e, q.Y = in.Y;
   if (!is_set(in.f_0)) {
     trace.value("e", q.e, "manufacturer's value");
-    trace.value("Y", q.Y, "manufacturer's value");
     return;
   }
   STEP_TO(q, x_f, in.f_0 * F_aK / in.C_0, "parameter of e and Y of a deep groove ball bearing, [ISO281]");
   const DeepGroove found = deep_groove_at(x_f);
   q.e = trace.value("e", found.e, "straight between the rows of [ISO281], [Koyo]");
-  q.Y = trace.value("Y", found.Y, "straight between the rows of [ISO281], [Koyo]");
+  q.Y = found.Y;
+}
+
+/// The equivalent load of an axial load up to e F_rK.
+template <class Tracer>
+void within_e(const Input& in, Force F_rK, Force F_aK, Equivalent& q, Tracer& trace) {
+  if (!has_two_rows(in.kind)) {
+    STEP_TO(q, P, F_rK, "F_a ≤ e F_r: radial load only, [ISO281]");
+    return;
+  }
+  const double Y_1 = trace.value("Y_1", in.Y_1, "manufacturer's value");
+  STEP_TO(q, P, F_rK + Y_1 * F_aK, "F_a ≤ e F_r: equivalent dynamic load, [ISO281]");
+}
+
+/// The equivalent load of an axial load beyond e F_rK.
+template <class Tracer>
+void beyond_e(const Input& in, Force F_rK, Force F_aK, Equivalent& q, Tracer& trace) {
+  const double X = trace.value("X", is_set(in.X) ? in.X : radial_factor(in.kind),
+                               is_set(in.X) ? "manufacturer's value" : "of the kind, [ISO281]");
+  const double Y =
+      trace.value("Y", q.Y, is_set(in.f_0) ? "straight between the rows of [ISO281], [Koyo]" : "manufacturer's value");
+  STEP_TO(q, P, X * F_rK + Y * F_aK, "F_a > e F_r: equivalent dynamic load, [ISO281]");
 }
 
 /// The equivalent load of F_rK and F_aK, which hold K_A.
@@ -57,12 +77,12 @@ Equivalent equivalent(const Input& in, Force F_rK, Force F_aK, Tracer& trace) {
     return q;
   }
   find_factors(in, F_aK, q, trace);
-  const double e = q.e, Y = q.Y;
-  const double X = trace.value("X", is_set(in.X) ? in.X : radial_factor(in.kind),
-                               is_set(in.X) ? "manufacturer's value" : "of the kind, [ISO281]");
-  const double Y_1 = trace.value("Y_1", has_two_rows(in.kind) ? in.Y_1 : 0.0,
-                                 has_two_rows(in.kind) ? "manufacturer's value" : "one row: none up to e");
-  STEP_TO(q, P, F_aK > e * F_rK ? X * F_rK + Y * F_aK : F_rK + Y_1 * F_aK, "equivalent dynamic load, [ISO281]");
+  const double e = q.e;
+  STEP(F_e, e * F_rK, "limit of the axial load up to which X = 1, [ISO281]");
+  if (F_aK > F_e)
+    beyond_e(in, F_rK, F_aK, q, trace);
+  else
+    within_e(in, F_rK, F_aK, q, trace);
   return q;
 }
 

@@ -28,7 +28,7 @@ enum class Kind {
 
 constexpr auto choices_of(Kind) {
   return std::array{
-      ChoiceName<Kind>{Kind::unstated, "unstated", "not stated (refused)"},
+      ChoiceName<Kind>{Kind::unstated, "not_given", "not given (refused)", "unstated"},
       ChoiceName<Kind>{Kind::deep_groove_ball, "deep_groove_ball", "deep groove ball bearing, single row"},
       ChoiceName<Kind>{Kind::angular_contact_ball, "angular_contact_ball",
                        "angular contact ball bearing, single row: axial load in one direction"},
@@ -56,7 +56,7 @@ constexpr auto choices_of(Kind) {
 enum class Holds { unsaid, radial, both };
 
 constexpr auto choices_of(Holds) {
-  return std::array{ChoiceName<Holds>{Holds::unsaid, "", "not stated"},
+  return std::array{ChoiceName<Holds>{Holds::unsaid, "", "not given"},
                     ChoiceName<Holds>{Holds::radial, "radial", "radial forces: non-locating bearing"},
                     ChoiceName<Holds>{Holds::both, "both", "radial and axial forces: locating bearing"}};
 }

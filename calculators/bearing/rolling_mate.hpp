@@ -17,7 +17,7 @@ enum class Carries { unsaid, left, right };
 
 constexpr auto choices_of(Carries) {
   return std::array{
-      ChoiceName<Carries>{Carries::unsaid, "", "not stated"},
+      ChoiceName<Carries>{Carries::unsaid, "", "not given"},
       ChoiceName<Carries>{Carries::left, "left", "axial forces to the left: negative F_a of the shaft"},
       ChoiceName<Carries>{Carries::right, "right", "axial forces to the right: positive F_a of the shaft"}};
 }
@@ -25,7 +25,7 @@ constexpr auto choices_of(Carries) {
 enum class Arrangement { unsaid, back_to_back, face_to_face };
 
 constexpr auto choices_of(Arrangement) {
-  return std::array{ChoiceName<Arrangement>{Arrangement::unsaid, "", "not stated"},
+  return std::array{ChoiceName<Arrangement>{Arrangement::unsaid, "", "not given"},
                     ChoiceName<Arrangement>{Arrangement::back_to_back, "back_to_back",
                                             "O arrangement: the left bearing carries axial forces to the right, "
                                             "pressure centres outside"},

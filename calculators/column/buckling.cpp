@@ -76,7 +76,7 @@ void take_tension(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, x_t, sigma_t / in.R_e, "over the yield strength");
   if (!is_set(in.n_t)) return;
   const double n = tension_safety(in, trace);
-  STEP_TO(r, u_t, n * x_t, "over the yield strength with its safety");
+  STEP_TO(r, u_t, n * x_t, "compared with the yield strength, with the safety factor n");
 }
 
 template <class Tracer>

@@ -166,7 +166,7 @@ end_2 = "pinned"
 
 constexpr auto choices_of(EffectiveLength::End) {
   using E = EffectiveLength::End;
-  return std::array{ChoiceName<E>{E::unsaid, "", "not stated"},
+  return std::array{ChoiceName<E>{E::unsaid, "", "not given"},
                     ChoiceName<E>{E::pinned, "pinned", "pinned (hinged)"},
                     ChoiceName<E>{E::fixed, "fixed", "fixed (built in)"},
                     ChoiceName<E>{E::guided, "guided", "guided: free to translate, fixed against rotation"},
@@ -176,7 +176,7 @@ constexpr auto choices_of(EffectiveLength::End) {
 
 constexpr auto choices_of(EffectiveLength::Frame) {
   using F = EffectiveLength::Frame;
-  return std::array{ChoiceName<F>{F::unsaid, "", "not stated"},
+  return std::array{ChoiceName<F>{F::unsaid, "", "not given"},
                     ChoiceName<F>{F::braced, "braced", "braced against sway"},
                     ChoiceName<F>{F::sway, "sway", "free to sway"}};
 }

@@ -85,7 +85,7 @@ void judge_twisting(const BucklingInput& in, const Material& material, Method by
   const auto sigma_TF = critical;
   const double n = safety(in, by, true, trace);
   if (!is_set(sigma_TF) || !is_set(n)) return;
-  STEP_TO(r, u_TF, n * r.F / (sigma_TF * r.A), "force with its safety over that of this buckling");
+  STEP_TO(r, u_TF, n * r.F / (sigma_TF * r.A), "force, with the safety factor n, over that of this buckling");
 }
 
 }  // namespace loadpath::column

@@ -62,7 +62,7 @@ void press(const Wheels::Input& in, Wheels::Result& r, Tracer& trace) {
   } else {
     STEP_TO(r, F_t, in.K_A * in.P / r.v, "tangential force transmitted by friction");
   }
-  STEP(F_nmin, in.S_min * r.F_t / r.mu, "normal force without slip, with its safety, [Artobolevsky]");
+  STEP(F_nmin, in.S_min * r.F_t / r.mu, "normal force without slip, with the safety factor S_min, [Artobolevsky]");
   const double k_p = pressing_share(in, r, trace);
   STEP_TO(r, F_pmin, k_p * F_nmin, "minimum pressing force");
   STEP_TO(r, F_p, is_set(in.F_p) ? in.F_p : F_pmin, is_set(in.F_p) ? "as given" : "the minimum");

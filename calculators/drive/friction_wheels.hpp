@@ -266,7 +266,7 @@ constexpr auto choices_of(FrictionWheels::Shape) {
 }
 constexpr auto choices_of(FrictionWheels::Pair) {
   using Pair = FrictionWheels::Pair;
-  return std::array{ChoiceName<Pair>{Pair::unsaid, "", "not stated"},
+  return std::array{ChoiceName<Pair>{Pair::unsaid, "", "not given"},
                     ChoiceName<Pair>{Pair::cast_iron, "cast_iron", "cast iron: mu = 0.10 (to 0.15)"},
                     ChoiceName<Pair>{Pair::paper, "paper", "paper: mu = 0.15 (to 0.20)"},
                     ChoiceName<Pair>{Pair::leather, "leather", "leather: mu = 0.20 (to 0.30)"},

@@ -129,7 +129,7 @@ Cycle::Result Cycle::evaluate(const Input& in, Tracer& trace) {
   if (is_set(in.R_e)) {
     r.u_y = part_of_yield(in, r, trace);
     if (is_set(in.S_F)) {
-      STEP_TO(r, u_F, in.S_F * r.u_y, "with its safety");
+      STEP_TO(r, u_F, in.S_F * r.u_y, "with the safety factor S_F");
     }
   }
   if (is_set(in.sigma_D)) hold_against_limit(in, r, trace);

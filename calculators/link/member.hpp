@@ -84,7 +84,7 @@ S = 1.5
       column::strength_inputs<Input>(), column::tetmajer_inputs<Input>(), column::derived_section_inputs<Input>(),
       column::method_choice<Input>(), column::code_inputs<Input>(),
       Fields{
-          Field<Input, double>{&Input::S, "S", ratio, "required safety factor against yielding under N, V and M_b"}
+          Field<Input, double>{&Input::S, "S", ratio, "required safety factor against yielding, under N, V and M_b"}
               .at_least(1)
               .usually(1.1, 6)
               .customarily_at_least(1.1)

@@ -14,7 +14,7 @@ enum class Fastening { unsaid, key, two_keys, spline, press_fit, set_screw, pin 
 
 constexpr auto choices_of(Fastening) {
   using F = Fastening;
-  return std::array{ChoiceName<F>{F::unsaid, "unsaid", "not stated", "unstated"},
+  return std::array{ChoiceName<F>{F::unsaid, "not_given", "not given", "unstated"},
                     ChoiceName<F>{F::key, "key", "a parallel key"},
                     ChoiceName<F>{F::two_keys, "two_keys", "two parallel keys"},
                     ChoiceName<F>{F::spline, "spline", "a spline"},

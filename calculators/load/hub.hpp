@@ -14,7 +14,7 @@ namespace loadpath {
 enum class Mounted { unsaid, gear, pulley, sprocket };
 
 constexpr auto choices_of(Mounted) {
-  return std::array{ChoiceName<Mounted>{Mounted::unsaid, "unsaid", "not stated", "unstated"},
+  return std::array{ChoiceName<Mounted>{Mounted::unsaid, "not_given", "not given", "unstated"},
                     ChoiceName<Mounted>{Mounted::gear, "gear", "a gear"},
                     ChoiceName<Mounted>{Mounted::pulley, "pulley", "the pulley of a belt"},
                     ChoiceName<Mounted>{Mounted::sprocket, "sprocket", "the sprocket of a chain"}};

@@ -13,7 +13,7 @@ enum class SectionKind { unsaid, rolled_I, welded_I, hot_hollow, cold_hollow, we
 
 constexpr auto choices_of(SectionKind) {
   using K = SectionKind;
-  return std::array{ChoiceName<K>{K::unsaid, "", "not stated"},
+  return std::array{ChoiceName<K>{K::unsaid, "", "not given"},
                     ChoiceName<K>{K::rolled_I, "rolled_I", "rolled I or H section"},
                     ChoiceName<K>{K::welded_I, "welded_I", "welded I or H section"},
                     ChoiceName<K>{K::hot_hollow, "hot_hollow", "hollow section, hot finished"},
@@ -30,7 +30,7 @@ enum class Rolling { unsaid, rolled, welded };
 
 constexpr auto choices_of(Rolling) {
   using R = Rolling;
-  return std::array{ChoiceName<R>{R::unsaid, "", "not stated: the less favourable buckling curves, of welded sections"},
+  return std::array{ChoiceName<R>{R::unsaid, "", "not given: the less favourable buckling curves, of welded sections"},
                     ChoiceName<R>{R::rolled, "rolled", "rolled"},
                     ChoiceName<R>{R::welded, "welded", "welded from plates"}};
 }
@@ -41,7 +41,7 @@ enum class Forming { unsaid, hot_finished, cold_formed, welded };
 constexpr auto choices_of(Forming) {
   using F = Forming;
   return std::array{
-      ChoiceName<F>{F::unsaid, "", "not stated: the less favourable buckling curve, of cold formed sections"},
+      ChoiceName<F>{F::unsaid, "", "not given: the less favourable buckling curve, of cold formed sections"},
       ChoiceName<F>{F::hot_finished, "hot_finished", "hot finished, EN 10210"},
       ChoiceName<F>{F::cold_formed, "cold_formed", "cold formed, EN 10219"},
       ChoiceName<F>{F::welded, "welded", "welded box"}};

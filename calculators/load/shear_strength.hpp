@@ -16,7 +16,7 @@ enum class Behaviour { unsaid, ductile, brittle };
 
 constexpr auto choices_of(Behaviour) {
   return std::array{
-      ChoiceName<Behaviour>{Behaviour::unsaid, "", "not stated"},
+      ChoiceName<Behaviour>{Behaviour::unsaid, "", "not given"},
       ChoiceName<Behaviour>{Behaviour::ductile, "ductile", "ductile: 0.6 of the normal stress in shear"},
       ChoiceName<Behaviour>{Behaviour::brittle, "brittle", "brittle: 0.75 of the normal stress in shear"}};
 }

@@ -321,6 +321,8 @@ void MechanismStep::write_account(const Solved& solved, const project::Wanted& w
   fill_inputs();
   account.modes = modes_of(*this, in_, wanted);
   account.sources = sources_used(in_, structure_);
+  if (leaves_out_weights(in_) && !is_typed("gravity"))
+    warn(say("gravity not given: own weights of the links are not included"));
   if (wanted.pictures) illustrate(solved);
 }
 

@@ -228,7 +228,7 @@ p_adm_2 = "100 MPa"
 constexpr auto choices_of(Joint::Held) {
   using Held = Joint::Held;
   return std::array{
-      ChoiceName<Held>{Held::unsaid, "", "not stated"},
+      ChoiceName<Held>{Held::unsaid, "", "not given"},
       ChoiceName<Held>{Held::loose, "loose", "loose in clevis and eye"},
       ChoiceName<Held>{Held::in_fork, "in_fork", "fixed in the clevis, loose in the eye"},
       ChoiceName<Held>{Held::in_eye, "in_eye", "fixed in the eye, loose in the clevis"},

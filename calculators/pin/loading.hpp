@@ -12,7 +12,7 @@ namespace loadpath::pin {
 enum class Loading { unsaid, steady, pulsating, alternating };
 
 constexpr auto choices_of(Loading) {
-  return std::array{ChoiceName<Loading>{Loading::unsaid, "", "not stated"},
+  return std::array{ChoiceName<Loading>{Loading::unsaid, "", "not given"},
                     ChoiceName<Loading>{Loading::steady, "steady", "static"},
                     ChoiceName<Loading>{Loading::pulsating, "pulsating", "pulsating"},
                     ChoiceName<Loading>{Loading::alternating, "alternating", "reversing, or rotating around the pin"}};

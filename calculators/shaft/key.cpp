@@ -51,7 +51,7 @@ void strengths(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void reversal(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.f_W) || !is_set(r.u_1) || !is_set(r.u_2) || !is_set(r.u_k)) return;
-  STEP_TO(r, u_W, max(max(r.u_1, r.u_2), r.u_k) / in.f_W, "the worst side, by the factor of method B");
+  STEP_TO(r, u_W, max(max(r.u_1, r.u_2), r.u_k) / in.f_W, "largest of shaft, hub and key, divided by f_W of method B");
 }
 
 /// The shaft itself: the round that lies inside of the seats.

@@ -178,7 +178,7 @@ S = 2
 
 constexpr auto choices_of(SetScrew::Case) {
   using Case = SetScrew::Case;
-  return std::array{ChoiceName<Case>{Case::unsaid, "unsaid", "not stated: dynamic if K_A exceeds 1", "unstated"},
+  return std::array{ChoiceName<Case>{Case::unsaid, "not_given", "not given: dynamic if K_A exceeds 1", "unstated"},
                     ChoiceName<Case>{Case::at_rest, "static", "static, without shocks: safety factor at least 1.5"},
                     ChoiceName<Case>{Case::dynamic, "dynamic", "dynamic: safety factor at least 4"}};
 }

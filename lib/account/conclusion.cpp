@@ -158,9 +158,7 @@ std::size_t Conclusion::modes() const { return std::accumulate(counts.begin(), c
 Conclusion conclude(const Modes& modes) {
   Conclusion all;
   for (const Mode& mode : modes) {
-    const bool is_counted_there =
-        is_assessed_elsewhere(mode) && (mode.state == State::pass || mode.state == State::fail);
-    if (mode.subject == Subject::mode && !is_counted_there) ++all.counts[static_cast<std::size_t>(group_of(mode))];
+    if (is_counted(mode)) ++all.counts[static_cast<std::size_t>(group_of(mode))];
   }
   const State state = worst(modes);
   if (state == State::fail)
@@ -175,6 +173,11 @@ Conclusion conclude(const Modes& modes) {
 bool is_assessed_elsewhere(const Mode& mode) {
   const bool waits = mode.state == State::open || mode.state == State::not_judged;
   return !waits && !mode.judge.empty() && mode.governs.empty();
+}
+
+bool is_counted(const Mode& mode) {
+  const bool is_counted_there = is_assessed_elsewhere(mode) && (mode.state == State::pass || mode.state == State::fail);
+  return mode.subject == Subject::mode && !is_counted_there;
 }
 
 bool is_ranked(const Mode& mode) {

@@ -48,6 +48,9 @@ Message explanation(const Modes& modes, const ExplanationOptions& options = {});
 /// Whether another step has assessed the mode, and has it among its own.
 bool is_assessed_elsewhere(const Mode& mode);
 
+/// Whether it is among the counts: a failure mode, decided by its own step or not decided at all.
+bool is_counted(const Mode& mode);
+
 /// Whether its utilisation may be the highest one: a limit of shape, such as a slenderness, only where it fails.
 bool is_ranked(const Mode& mode);
 

@@ -347,7 +347,7 @@ bool is_safety(const Entry& entry) {
 
 Cell cell_of(const Entry& entry) {
   constexpr double most_safety = 1000.0;  // above, the value says only that the stress is small
-  if (!entry.word.empty()) return entry.word;
+  if (!entry.word.empty()) return entry.origin.sources.empty() ? spoken(entry.word) : entry.word;
   if (!entry.values().is_series()) {
     const double si = entry.values().si.empty() ? NAN : entry.values().si[0];
     if (std::isnan(si) && !entry.missing.empty()) return say("not available: {1}", entry.missing);

@@ -9,9 +9,22 @@
 
 namespace loadpath::report {
 
+namespace {
+
+/// "; 4 more rows: assessed by another step, counted there"
+Message counted_there(const Modes& modes) {
+  const auto count = std::ranges::count_if(
+      modes, [](const Mode& mode) { return mode.subject == account::Subject::mode && !account::is_counted(mode); });
+  if (count == 0) return {};
+  return count == 1 ? say("; 1 more row: assessed by another step, counted there")
+                    : say("; {1} more rows: assessed by another step, counted there", std::to_string(count));
+}
+
+}  // namespace
+
 Message tally(const Modes& modes) {
   Modes sorted = account::in_order(modes);
-  std::erase_if(sorted, [](const Mode& mode) { return mode.subject != account::Subject::mode; });
+  std::erase_if(sorted, [](const Mode& mode) { return !account::is_counted(mode); });
   std::string counts;
   for (auto first = sorted.begin(); first != sorted.end();) {
     const auto last = std::find_if(first, sorted.end(),
@@ -19,8 +32,9 @@ Message tally(const Modes& modes) {
     counts += (counts.empty() ? "" : ", ") + std::to_string(last - first) + " " + account::shown(*first).text();
     first = last;
   }
-  return sorted.size() == 1 ? say("1 failure mode: {1}.", counts)
-                            : say("{1} failure modes: {2}.", std::to_string(sorted.size()), counts);
+  const std::string all = sorted.size() == 1 ? say("1 failure mode").text()
+                                             : say("{1} failure modes", std::to_string(sorted.size())).text();
+  return say("{1}{2}{3}{4}.", all, counts.empty() ? "" : ": ", counts, counted_there(modes));
 }
 
 Message conclusion_of(const Modes& modes) {
@@ -71,7 +85,7 @@ std::string names_of(const Modes& modes, bool (*is_meant)(const Mode&)) {
 
 Message proved(const Modes& modes) {
   const std::string names = names_of(modes, is_proved);
-  return names.empty() ? Message{} : say("Excluded by satisfied conditions and proofs: {1}.", names);
+  return names.empty() ? Message{} : say("Excluded by geometry or validity checks: {1}.", names);
 }
 
 Message remote(const Modes& modes) {

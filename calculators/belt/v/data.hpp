@@ -113,7 +113,7 @@ double v_count_factor(double z, bool high_end);
 double optibelt_service_factor(std::string_view row, double hours);
 
 constexpr auto choices_of(Basis) {
-  return std::array{ChoiceName<Basis>{Basis::unstated, "unstated", "not stated"},
+  return std::array{ChoiceName<Basis>{Basis::unstated, "not_given", "not given", "unstated"},
                     ChoiceName<Basis>{Basis::iso, "iso", "ISO 5292 and GOST 1284.3-96: classical sections"},
                     ChoiceName<Basis>{Basis::optibelt, "optibelt", "Optibelt: wrapped wedge and classical sections"}};
 }

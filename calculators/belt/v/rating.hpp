@@ -87,7 +87,7 @@ void count(const VTypes::Input& in, VTypes::Result& r, Tracer& trace) {
   trace.value("z", r.z, in.z > 0 ? "as given" : "smallest number of belts that transmits the design power");
   r.C_K = trace.value(
       "C_K", iso ? v_count_factor(r.z, high_end) : 1.0,
-      iso ? "belts share unevenly, [GOST1284.3] 20" : "this method has no belt-number factor, [Optibelt-V]");
+      iso ? "belts share unevenly, [GOST1284.3] 20" : "no factor for the number of belts in this method, [Optibelt-V]");
   STEP_TO(r, P_all, r.z * r.C_K * r.P_N * r.c_alpha * r.c_L, "power rating of the belts");
   STEP_TO(r, u_P, r.P_B / P_all, "power condition");
 }

@@ -72,14 +72,14 @@ struct VTypes {
 
 constexpr auto choices_of(VTypes::BeltClass) {
   using Class = VTypes::BeltClass;
-  return std::array{ChoiceName<Class>{Class::unstated, "unstated", "not stated"},
+  return std::array{ChoiceName<Class>{Class::unstated, "not_given", "not given", "unstated"},
                     ChoiceName<Class>{Class::classes_0_II, "0_II", "classes 0, I and II of GOST 1284.2"},
                     ChoiceName<Class>{Class::III, "III", "class III of GOST 1284.2"},
                     ChoiceName<Class>{Class::IV, "IV", "class IV of GOST 1284.2"}};
 }
 constexpr auto choices_of(VTypes::Duty) {
   using Duty = VTypes::Duty;
-  return std::array{ChoiceName<Duty>{Duty::unstated, "unstated", "not stated"},
+  return std::array{ChoiceName<Duty>{Duty::unstated, "not_given", "not given", "unstated"},
                     ChoiceName<Duty>{Duty::light, "light", "even load: fans, centrifugal pumps, lathes"},
                     ChoiceName<Duty>{Duty::medium, "medium", "moderate changes: milling machines, generators"},
                     ChoiceName<Duty>{Duty::heavy, "heavy", "strong changes: piston pumps, planers, presses"},
@@ -87,7 +87,7 @@ constexpr auto choices_of(VTypes::Duty) {
 }
 constexpr auto choices_of(VTypes::Motor) {
   using Motor = VTypes::Motor;
-  return std::array{ChoiceName<Motor>{Motor::unstated, "unstated", "not stated"},
+  return std::array{ChoiceName<Motor>{Motor::unstated, "not_given", "not given", "unstated"},
                     ChoiceName<Motor>{Motor::normal, "normal", "normal starting torque"},
                     ChoiceName<Motor>{Motor::high, "high", "high starting torque, piston engines"}};
 }

@@ -116,32 +116,35 @@ void annex_B(const BeamColumnInput& in, const Bending& at, double n_y, double n_
                        "table B.3, [EN1993-1-1-bending]");
   r.C_mLT = trace.value("C_mLT", is_one_segment(in) ? uniform_moment_factor(at.y) : 1.0,
                         is_one_segment(in) ? "table B.3, [EN1993-1-1-bending]" : "uniform between the supports");
-  const double l_y = trace.value("l_y", std::min(r.axes[0].lambda_bar, 1.0), "slenderness about y, at most 1");
-  const double l_z = trace.value("l_z", std::min(r.axes[1].lambda_bar, 1.0), "slenderness about z, at most 1");
+  const double lambda_bar_y = trace.value("lambda_bar_y", std::min(r.axes[0].lambda_bar, 1.0), "of axis y, at most 1");
+  const double lambda_bar_z = trace.value("lambda_bar_z", std::min(r.axes[1].lambda_bar, 1.0), "of axis z, at most 1");
   const bool twists = !is_hollow(at.kind) && can_turn_over(at.s) && r.chi_LT < 1.0;
   if (at.section_class > 2) {
-    STEP_TO(r, k_yy, r.C_my * (1.0 + 0.6 * l_y * n_y), "table B.1, elastic, [EN1993-1-1-bending]");
-    STEP_TO(r, k_zz, r.C_mz * (1.0 + 0.6 * l_z * n_z), "table B.1, elastic, [EN1993-1-1-bending]");
+    STEP_TO(r, k_yy, r.C_my * (1.0 + 0.6 * lambda_bar_y * n_y), "table B.1, elastic, [EN1993-1-1-bending]");
+    STEP_TO(r, k_zz, r.C_mz * (1.0 + 0.6 * lambda_bar_z * n_z), "table B.1, elastic, [EN1993-1-1-bending]");
     STEP_TO(r, k_yz, k_zz, "table B.1, elastic, [EN1993-1-1-bending]");
     if (twists) {
-      STEP_TO(r, k_zy, 1.0 - 0.05 * l_z * n_z / (r.C_mLT - 0.25), "table B.2, elastic, [EN1993-1-1-bending]");
+      STEP_TO(r, k_zy, 1.0 - 0.05 * lambda_bar_z * n_z / (r.C_mLT - 0.25), "table B.2, elastic, [EN1993-1-1-bending]");
     } else {
       STEP_TO(r, k_zy, 0.8 * k_yy, "table B.1, elastic, [EN1993-1-1-bending]");
     }
     return;
   }
-  STEP_TO(r, k_yy, r.C_my * (1.0 + max(l_y - 0.2, 0.0) * n_y), "table B.1, plastic, [EN1993-1-1-bending]");
+  STEP_TO(r, k_yy, r.C_my * (1.0 + max(lambda_bar_y - 0.2, 0.0) * n_y), "table B.1, plastic, [EN1993-1-1-bending]");
   if (is_hollow(at.kind)) {
-    STEP_TO(r, k_zz, r.C_mz * (1.0 + max(l_z - 0.2, 0.0) * n_z), "table B.1, hollow, plastic, [EN1993-1-1-bending]");
+    STEP_TO(r, k_zz, r.C_mz * (1.0 + max(lambda_bar_z - 0.2, 0.0) * n_z),
+            "table B.1, hollow, plastic, [EN1993-1-1-bending]");
   } else {
-    STEP_TO(r, k_zz, r.C_mz * (1.0 + max(2.0 * l_z - 0.6, 0.0) * n_z), "table B.1, plastic, [EN1993-1-1-bending]");
+    STEP_TO(r, k_zz, r.C_mz * (1.0 + max(2.0 * lambda_bar_z - 0.6, 0.0) * n_z),
+            "table B.1, plastic, [EN1993-1-1-bending]");
   }
   STEP_TO(r, k_yz, 0.6 * r.k_zz, "table B.1, plastic, [EN1993-1-1-bending]");
   if (!twists) {
     STEP_TO(r, k_zy, 0.6 * k_yy, "table B.1, plastic, [EN1993-1-1-bending]");
   } else {
-    STEP(k_T, 1.0 - 0.1 * l_z * n_z / (r.C_mLT - 0.25), "table B.2, plastic, [EN1993-1-1-bending]");
-    STEP_TO(r, k_zy, l_z < 0.4 ? min(k_T, 0.6 + l_z) : k_T, "table B.2, plastic, [EN1993-1-1-bending]");
+    STEP(k_T, 1.0 - 0.1 * lambda_bar_z * n_z / (r.C_mLT - 0.25), "table B.2, plastic, [EN1993-1-1-bending]");
+    STEP_TO(r, k_zy, lambda_bar_z < 0.4 ? min(k_T, 0.6 + lambda_bar_z) : k_T,
+            "table B.2, plastic, [EN1993-1-1-bending]");
   }
 }
 

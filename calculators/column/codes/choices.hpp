@@ -13,7 +13,7 @@ enum class Ends { unsaid, pinned_pinned, fixed_free, fixed_pinned, fixed_fixed, 
 
 constexpr auto choices_of(Ends) {
   using E = Ends;
-  return std::array{ChoiceName<E>{E::unsaid, "", "not stated"},
+  return std::array{ChoiceName<E>{E::unsaid, "", "not given"},
                     ChoiceName<E>{E::pinned_pinned, "pinned_pinned", "pinned at both ends", "pinned"},
                     ChoiceName<E>{E::fixed_free, "fixed_free", "fixed at the start, free at the end", "cantilever"},
                     ChoiceName<E>{E::fixed_pinned, "fixed_pinned", "fixed at the start, pinned at the end"},
@@ -83,8 +83,7 @@ enum class Class { unsaid, steel, cast_iron, wood, other };
 
 constexpr auto choices_of(Class) {
   using C = Class;
-  return std::array{ChoiceName<C>{C::unsaid, "", "not stated"},
-                    ChoiceName<C>{C::steel, "steel", "steel: n_st 1.8 to 3"},
+  return std::array{ChoiceName<C>{C::unsaid, "", "not given"}, ChoiceName<C>{C::steel, "steel", "steel: n_st 1.8 to 3"},
                     ChoiceName<C>{C::cast_iron, "cast_iron", "cast iron: n_st 5 to 5.5"},
                     ChoiceName<C>{C::wood, "wood", "wood: n_st 2.8 to 3.2"},
                     ChoiceName<C>{C::other, "other", "another material, not covered by the steel codes"}};

@@ -188,7 +188,7 @@ constexpr auto din743_results() {
 constexpr auto choices_of(Notch) {
   using N = Notch;
   return std::array{
-      ChoiceName<N>{N::untold, "untold", "not stated: no section is assessed with it", "unstated"},
+      ChoiceName<N>{N::untold, "not_given", "not given: no section is assessed with it", "unstated"},
       ChoiceName<N>{N::smooth, "smooth", "no notch"},
       ChoiceName<N>{N::shoulder, "shoulder", "shoulder from d to D with the radius r"},
       ChoiceName<N>{N::round_groove, "round-groove", "round groove with radius r, outer diameter D"},

@@ -125,7 +125,8 @@ constexpr auto fkm_results() {
               .may_be_infinite(),
           Field<Result, double>{&Result::j_ges, "j_ges", ratio,
                                 "safety of the static strength, against the yield limit"},
-          Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: utilisation with its safety, a_BK"}.check(),
+          Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: utilisation with its safety factor, a_BK"}
+              .check(),
           Field<Result, double>{&Result::u_S, "u_S", ratio, "maximum load: utilisation with its safeties, a_SK"}
               .check()
               .where_it_applies(),
@@ -144,7 +145,7 @@ constexpr auto fkm_results() {
 constexpr auto choices_of(FkmSteelGroup) {
   using G = FkmSteelGroup;
   return std::array{
-      ChoiceName<G>{G::untold, "untold", "not stated: no section is assessed with it", "unstated"},
+      ChoiceName<G>{G::untold, "not_given", "not given: no section is assessed with it", "unstated"},
       ChoiceName<G>{G::structural, "structural", "structural steel, at 40 mm"},
       ChoiceName<G>{G::quenched_tempered, "quenched-tempered", "quenched and tempered, at 16 mm"},
       ChoiceName<G>{G::normalised, "normalised", "steel for quenching, normalised, at 16 mm"},

@@ -86,11 +86,11 @@ struct FkmStress {
       Field<K, Stress>{&K::sigma_AK, "sigma_AK", MPa, "permissible amplitude at this mean stress"},
       Field<K, double>{&K::K_BK, "K_BK", ratio, "factor for finite life"},
       Field<K, Stress>{&K::sigma_BK, "sigma_BK", MPa, "amplitude for the required life"},
-      Field<K, double>{&K::a, "a", ratio, "utilisation in fatigue, with its safety"},
+      Field<K, double>{&K::a, "a", ratio, "utilisation in fatigue, with its safety factor"},
       Field<K, double>{&K::N_a, "N_a", ratio, "life under this stress only, with its safety factor"}.may_be_infinite(),
       Field<K, double>{&K::n_pl, "n_pl", ratio, "plastic support of the section"},
       Field<K, Stress>{&K::sigma_SK, "sigma_SK", MPa, "static strength of the section"},
-      Field<K, double>{&K::a_S, "a_S", ratio, "static utilisation, with its safety"}};
+      Field<K, double>{&K::a_S, "a_S", ratio, "static utilisation, with its safety factor"}};
 };
 
 inline double shape_of(const FkmStress& k) { return k.K_t; }

@@ -54,7 +54,7 @@ constexpr DnvBranch branch_of(DnvDetail detail) {
 
 constexpr auto choices_of(DnvDetail) {
   using D = DnvDetail;
-  return std::array{ChoiceName<D>{D::untold, "untold", "none: give lg_a", "unstated"},
+  return std::array{ChoiceName<D>{D::untold, "not_given", "none: give lg_a", "unstated"},
                     ChoiceName<D>{D::B1, "B1", "lg a 15.117, m_1 4"},
                     ChoiceName<D>{D::B2, "B2", "14.885, m_1 4; not checked against the standard"},
                     ChoiceName<D>{D::C, "C", "12.592, m_1 3, as of all that follow"},

@@ -13,13 +13,12 @@ constexpr double Pa = 1e6;                // Pa per MPa
 constexpr double least_share = 0.01;      // share of the largest cycle: smaller ones would compress the rest
 
 /// Cumulative steps down from the largest cycle: number of cycles at least so large. Many steps are joined.
-figure::Curve collective(const std::vector<rainflow::Cycle>& cycles, const std::vector<double>& stress,
-                         double passages) {
+figure::Curve spectrum(const std::vector<rainflow::Cycle>& cycles, const std::vector<double>& stress, double passages) {
   std::vector<std::size_t> order(cycles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return stress[a] != stress[b] ? stress[a] > stress[b] : a < b; });
-  figure::Curve curve{"collective", {}, {}};
+  figure::Curve curve{"load spectrum", {}, {}};
   double sum = 0.0;
   const std::size_t every = 1 + order.size() / most_points;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -47,15 +46,18 @@ figure::Curve lives(const rainflow::SnCurve& curve, double most) {
 
 }  // namespace
 
-std::vector<figure::Figure> collective_figure(const std::vector<rainflow::Cycle>& cycles,
-                                              const std::vector<double>& stress, const rainflow::SnCurve& curve,
-                                              double passages, const std::string& meaning) {
+std::vector<figure::Figure> spectrum_figure(const std::vector<rainflow::Cycle>& cycles,
+                                            const std::vector<double>& stress, const rainflow::SnCurve& curve,
+                                            double passages, const std::string& meaning) {
   figure::Plot plot;
   plot.x = {"N", "cycles", "-", true};
   plot.y = {"S", meaning, "MPa", true};
-  plot.curves.push_back(collective(cycles, stress, passages));
+  plot.curves.push_back(spectrum(cycles, stress, passages));
   plot.curves.push_back(lives(curve, plot.curves.front().x.back()));
-  return {{"collective", "Cumulative load spectrum with S-N curve", std::move(plot)}};
+  const bool is_range = meaning == "range";
+  return {{"collective",
+           is_range ? "Cumulative load spectrum with S-N curve" : "Cumulative load spectrum with S-N curve, r = −1",
+           std::move(plot)}};
 }
 
 }  // namespace loadpath::fatigue

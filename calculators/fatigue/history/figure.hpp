@@ -11,8 +11,8 @@
 namespace loadpath::fatigue {
 
 /// `stress` of each cycle on the curve, MPa; how many are at least so large, in all `passages`.
-std::vector<figure::Figure> collective_figure(const std::vector<rainflow::Cycle>& cycles,
-                                              const std::vector<double>& stress, const rainflow::SnCurve& curve,
-                                              double passages, const std::string& meaning);
+std::vector<figure::Figure> spectrum_figure(const std::vector<rainflow::Cycle>& cycles,
+                                            const std::vector<double>& stress, const rainflow::SnCurve& curve,
+                                            double passages, const std::string& meaning);
 
 }  // namespace loadpath::fatigue

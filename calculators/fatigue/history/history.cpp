@@ -186,7 +186,7 @@ void yield(const Input& in, const Extremes& all, Result& r, Tracer& trace) {
   STEP(sigma_y, in.stress == Stresses::shear ? in.R_e / sqrt(3.0) : in.R_e, "yield strength; of shear by [Mises]");
   STEP_TO(r, u_y, max(abs(sigma_max), abs(sigma_min)) / sigma_y, "first-cycle yielding");
   if (is_set(in.S_F)) {
-    STEP_TO(r, u_F, in.S_F * u_y, "with its safety");
+    STEP_TO(r, u_F, in.S_F * u_y, "with the safety factor S_F");
   }
   if (in.curve == Curve::en1993) {
     STEP_TO(r, x_R, (sigma_max - sigma_min) / (1.5 * sigma_y), "ranges up to 1.5 f_y, [EN1993-1-9] 8 (1)");
@@ -243,8 +243,8 @@ std::vector<figure::Figure> History::figures(const Input& in, const Result& r) {
   for (const Cycle& cycle : cycles) stress.push_back(on_curve(in, haigh, cycle, quiet) / MPa);
   const double largest = *std::ranges::max_element(stress);
   for (figure::Figure& figure :
-       collective_figure(cycles, stress, curve_by(weighing_rule(in), in, largest), is_set(in.n_req) ? in.n_req : 1.0,
-                         is_of_part(in) ? "amplitude at r = −1" : "range"))
+       spectrum_figure(cycles, stress, curve_by(weighing_rule(in), in, largest), is_set(in.n_req) ? in.n_req : 1.0,
+                       is_of_part(in) ? "equivalent amplitude" : "range"))
     figures.push_back(std::move(figure));
   return figures;
 }

@@ -39,7 +39,7 @@ void yield(const Input& in, const StressPath& path, Result& r, Tracer& trace) {
   STEP_TO(r, u_y, sigma_v / in.R_e, "yielding at peak equivalent stress");
   r.n_y = trace.value("n_y", 1.0 / u_y, "safety against it");
   if (is_set(in.S_F)) {
-    STEP_TO(r, u_F, in.S_F * u_y, "with its safety");
+    STEP_TO(r, u_F, in.S_F * u_y, "with the safety factor S_F");
   }
 }
 

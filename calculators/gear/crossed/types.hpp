@@ -58,7 +58,7 @@ struct CrossedTypes {
 
 constexpr auto choices_of(CrossedTypes::Locking) {
   using Locking = CrossedTypes::Locking;
-  return std::array{ChoiceName<Locking>{Locking::unsaid, "", "not stated"},
+  return std::array{ChoiceName<Locking>{Locking::unsaid, "", "not given"},
                     ChoiceName<Locking>{Locking::required, "required", "gear 2 must not drive gear 1"}};
 }
 

@@ -67,7 +67,7 @@ constexpr auto choices_of(Crowning) {
 }
 constexpr auto choices_of(Place) {
   using P = Place;
-  return std::array{ChoiceName<P>{P::untold, "", "not stated"},
+  return std::array{ChoiceName<P>{P::untold, "", "not given"},
                     ChoiceName<P>{P::middle, "middle", "midway between the bearings"},
                     ChoiceName<P>{P::a, "a", "between the bearings, torque enters at the near end"},
                     ChoiceName<P>{P::b, "b", "between the bearings, torque enters at the far end"},

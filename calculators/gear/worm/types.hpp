@@ -68,14 +68,14 @@ struct WormTypes {
 
 constexpr auto choices_of(WormTypes::Casting) {
   using Casting = WormTypes::Casting;
-  return std::array{ChoiceName<Casting>{Casting::unsaid, "", "not stated"},
+  return std::array{ChoiceName<Casting>{Casting::unsaid, "", "not given"},
                     ChoiceName<Casting>{Casting::sand, "sand", "sand-cast bronze"},
                     ChoiceName<Casting>{Casting::chill, "chill", "chill-cast or forged bronze"},
                     ChoiceName<Casting>{Casting::centrifugal, "centrifugal", "centrifugally cast bronze"}};
 }
 constexpr auto choices_of(WormTypes::Locking) {
   using Locking = WormTypes::Locking;
-  return std::array{ChoiceName<Locking>{Locking::unsaid, "", "not stated"},
+  return std::array{ChoiceName<Locking>{Locking::unsaid, "", "not given"},
                     ChoiceName<Locking>{Locking::required, "required", "the wheel must not drive the worm"}};
 }
 constexpr auto choices_of(WormTypes::Cooling) {

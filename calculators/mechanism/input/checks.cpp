@@ -210,6 +210,11 @@ std::vector<FieldFault> check_gravity(const Mechanism::Input& in) {
                format_quantity(-in_si(in.gravity), "m/s^2"))}};
 }
 
+bool leaves_out_weights(const Mechanism::Input& in) {
+  return in_si(in.gravity) == 0.0 &&
+         std::ranges::any_of(in.links, [](const auto& link) { return in_si(link.mass) > 0.0; });
+}
+
 std::vector<FieldFault> check_drawing(const Mechanism::Input& in, const mechanism::Model& model) {
   const auto drawn = [&](int link) {
     return link == mechanism::ground || is_drawn(in.links[static_cast<std::size_t>(link)]);

@@ -18,6 +18,8 @@ void check_shared_points(NameFaults& faults);
 
 /// Gravity is a magnitude. Needs values.
 std::vector<FieldFault> check_gravity(const Mechanism::Input& in);
+/// Whether links with a mass have no weight.
+bool leaves_out_weights(const Mechanism::Input& in);
 
 /// Pins that two drawn links show at different places. Needs values.
 std::vector<FieldFault> check_drawing(const Mechanism::Input& in, const mechanism::Model& model);

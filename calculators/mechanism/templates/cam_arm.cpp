@@ -11,6 +11,7 @@ struct CamArm : CamProfile {
   static constexpr auto example = R"([shear]
 calculator = "mechanism.planar"
 template = "cam_arm"
+gravity = "0 m/s^2"
 base = "30 mm"
 roller = "8 mm"
 pivot = "80 mm"

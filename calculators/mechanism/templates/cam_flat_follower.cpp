@@ -11,6 +11,7 @@ struct CamFlatFollower : CamProfile {
   static constexpr auto example = R"([tappet]
 calculator = "mechanism.planar"
 template = "cam_flat_follower"
+gravity = "0 m/s^2"
 base = "30 mm"
 segments = [{ law = "harmonic", angle = "180 deg", lift = "10 mm" }, { law = "harmonic", angle = "180 deg", lift = "-10 mm" }]
 crank = { speed = "300 rpm", positions = 72 }

@@ -11,6 +11,7 @@ struct CamFollower : CamProfile {
   static constexpr auto example = R"([valve]
 calculator = "mechanism.planar"
 template = "cam_follower"
+gravity = "0 m/s^2"
 base = "30 mm"
 roller = "10 mm"
 segments = [{ law = "cycloidal", angle = "90 deg", lift = "12 mm" }, { angle = "40 deg" }, { law = "3-4-5", angle = "110 deg", lift = "-12 mm" }, { angle = "120 deg" }]

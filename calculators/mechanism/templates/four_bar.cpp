@@ -11,6 +11,7 @@ struct FourBar : FourBarLengths {
   static constexpr auto example = R"([bar]
 calculator = "mechanism.planar"
 template = "four_bar"
+gravity = "0 m/s^2"
 a = "40 mm"
 b = "120 mm"
 c = "80 mm"

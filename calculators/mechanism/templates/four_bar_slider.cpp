@@ -13,6 +13,7 @@ struct FourBarSlider : FourBarLengths {
   static constexpr auto example = R"([feeder]
 calculator = "mechanism.planar"
 template = "four_bar_slider"
+gravity = "0 m/s^2"
 a = "40 mm"
 b = "120 mm"
 c = "80 mm"

@@ -10,6 +10,7 @@ struct OscillatingCylinder {
   static constexpr auto example = R"([engine]
 calculator = "mechanism.planar"
 template = "oscillating_cylinder"
+gravity = "0 m/s^2"
 r = "40 mm"
 d = "160 mm"
 crank = { speed = "120 rpm", positions = 72 }

@@ -11,6 +11,7 @@ struct ScotchYoke {
   static constexpr auto example = R"([pump]
 calculator = "mechanism.planar"
 template = "scotch_yoke"
+gravity = "0 m/s^2"
 r = "25 mm"
 crank = { speed = "300 rpm", positions = 72 }
 links.crank.mass = "0.4 kg"

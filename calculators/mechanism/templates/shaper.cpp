@@ -13,6 +13,7 @@ struct Shaper : QuickReturn {
   static constexpr auto example = R"([shaper]
 calculator = "mechanism.planar"
 template = "shaper"
+gravity = "0 m/s^2"
 r = "80 mm"
 d = "250 mm"
 c = "450 mm"

@@ -10,6 +10,7 @@ struct SliderCrank {
   static constexpr auto example = R"([press]
 calculator = "mechanism.planar"
 template = "slider_crank"
+gravity = "0 m/s^2"
 r = "50 mm"
 l = "200 mm"
 crank = { speed = "60 rpm", positions = 72 }

@@ -11,6 +11,7 @@ struct SlottedLever {
   static constexpr auto example = R"([lever]
 calculator = "mechanism.planar"
 template = "slotted_lever"
+gravity = "0 m/s^2"
 r = "30 mm"
 d = "90 mm"
 l = "150 mm"

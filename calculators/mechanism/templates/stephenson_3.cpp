@@ -11,6 +11,7 @@ struct Stephenson3 : SixBar {
   static constexpr auto example = R"([dwell]
 calculator = "mechanism.planar"
 template = "stephenson_3"
+gravity = "0 m/s^2"
 a = "40 mm"
 b = "120 mm"
 c = "80 mm"

@@ -12,6 +12,7 @@ struct TogglePress {
   static constexpr auto example = R"([press]
 calculator = "mechanism.planar"
 template = "toggle_press"
+gravity = "0 m/s^2"
 r = "40 mm"
 l = "215 mm"
 b = "180 mm"

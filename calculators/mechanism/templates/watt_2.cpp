@@ -12,6 +12,7 @@ struct Watt2 : SixBar {
   static constexpr auto example = R"([bars]
 calculator = "mechanism.planar"
 template = "watt_2"
+gravity = "0 m/s^2"
 a = "40 mm"
 b = "120 mm"
 c = "80 mm"

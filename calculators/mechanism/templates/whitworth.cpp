@@ -13,6 +13,7 @@ struct Whitworth : QuickReturn {
   static constexpr auto example = R"([shaper]
 calculator = "mechanism.planar"
 template = "whitworth"
+gravity = "0 m/s^2"
 r = "100 mm"
 d = "40 mm"
 c = "80 mm"

@@ -211,7 +211,7 @@ FieldFault Design::open_sum(const Input& in) {
                                  [](const Seat& s) { return s.way == Way::balances && is_set(s.T); });
   const double sum = in_si(balance(in));
   if (!typed)
-    return {"seats", say("the torques do not balance: {1} remains", format_quantity(sum, N_m.symbol)),
+    return {"seats", say("the torques do not balance: {1} remains", format_quantity(sum, N_m.symbol, 4)),
             how_to_balance(in)};
   return {"seats", say("a balancing component must not have a given torque"), say("leave out its T")};
 }

@@ -220,10 +220,11 @@ Message Design::unsound(const Input& in, std::span<const OpenSize> sought, std::
   const auto fault_at = [&](const Joint& joint, std::size_t k) -> Message {
     const Length own = trial.d(i), beyond = trial.end(k, i), step = abs(own - beyond);
     if (joint.tied && step > one_place * own)
-      return say("nothing is cut at {1}: it is one cylinder with the {2} beyond", format(joint.x), format(beyond));
+      return say("no shoulder given at x = {1}: same diameter as the adjacent {2} required", format(joint.x),
+                 format(beyond));
     if (joint.steps() && step < (1.0 - one_place) * joint.least)
-      return say("at {1} the shoulder height would be {2}; its fillet or the abutting part needs {3}", format(joint.x),
-                 format(step / 2.0), format(joint.least / 2.0));
+      return say("shoulder at x = {1}: height {2}, required {3}", format(joint.x), format(step / 2.0),
+                 format(joint.least / 2.0));
     const Length passed = max(beyond + joint.least * (1.0 - one_place), trial.over(k));
     if (!joint.tied && trial.away(i) < trial.away(k) && own < passed)
       return say("a component mounted there cannot be pushed over the {1} beyond {2}", format(trial.over(k)),

@@ -47,12 +47,12 @@ Harmonic harmonic_of(const Input& in, const beam::Swing& swing, const Order& ord
   o.n_above = trace.speed("n_above", above / order.h, "next higher natural frequency / h");
   o.n_below = trace.speed("n_below", from_si<AngularSpeed>(swing.natural(count - 1)) / order.h,
                           "the next lower one / h; rigid-body rotation is at 0");
-  STEP(q_above, o.n_above / n, "separation from the next higher one");
+  STEP(q_above, o.n_above / n, "ratio of the next higher critical speed to n");
   if (count < 2) {
     STEP_TO(o, u_h, in.k_n / q_above, "below the lowest natural frequency, with its margin");
     return o;
   }
-  STEP(q_below, n / o.n_below, "separation from the next lower one");
+  STEP(q_below, n / o.n_below, "ratio of n to the next lower critical speed");
   STEP_TO(o, u_h, in.k_n / min(q_above, q_below), "between two natural frequencies, with its margin from both");
   return o;
 }

@@ -22,7 +22,7 @@ double knuckle_factor(const Torisphere& end, Length e, Tracer& trace) {
   STEP(X, r_c / D_c, "knuckle radius over diameter");
   STEP(y, e / R_c, "thickness over crown radius");
   STEP(Y, min(y, 0.04), "at most 0.04, [EN13445-3], 7.5.3");
-  STEP(Z, -log(Y) / log(10.0), "its decimal logarithm, negative");
+  STEP(Z, -log(Y) / log(10.0), "Z = -lg Y, [EN13445-3], 7.5.3");
   STEP(N, 1.006 - 1.0 / (6.2 + pow<4>(90.0 * Y)), "[EN13445-3], 7.5.3");
   STEP(b_10, N * (((-0.1833 * Z + 1.0383) * Z - 1.2943) * Z + 0.837), "for X = 0.1, [EN13445-3], 7.5.3");
   if (X <= 0.1) {

@@ -106,10 +106,9 @@ Panel Pages::sizes(std::size_t most_lines) const {
 }
 
 Panel Pages::modes() const {
-  const auto assessed = std::ranges::count_if(
-      summary_.modes, [](const account::Mode& mode) { return is_told(mode) && mode.utilisation.has_value(); });
-  const Message remark = say("{1} of {2} with a utilisation", std::to_string(rows_.size()), std::to_string(assessed));
-  return {say("Governing failure modes"), remark, {governing_table(project_, rows_)}};
+  return {say("Governing failure modes"),
+          share_shown(summary_, rows_.size()),
+          {governing_table(project_, rows_, titles_fit(project_, summary_))}};
 }
 
 /// Where there are several shafts, the caption on page 1 says which it is, and why.

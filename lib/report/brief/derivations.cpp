@@ -43,10 +43,19 @@ double height_of(const account::Step& line) {
   return std::max(row * rows, of_note_line * notes + 1.0);
 }
 
+/// " for F_a ≤ e F_r" of a reason that begins with the condition of its formula; empty of others.
+std::string condition_of(const std::string& why) {
+  const std::size_t colon = why.find(": ");
+  if (colon == std::string::npos) return {};
+  const std::string condition = why.substr(0, colon);
+  const bool compares = condition.find("≤") != std::string::npos || condition.find(" > ") != std::string::npos;
+  return compares ? say(" for {1}", with_greek(condition)).text() : std::string();
+}
+
 /// A line within a text: "K_v = 1 + 0.25·v = 1.132", with the source of a value that has no formula.
 std::string in_a_row(const Derived& line) {
   constexpr int most_digits = 4;
-  constexpr double longest_unbroken = 45.0;  // letters
+  constexpr double longest_unbroken = 80.0;  // letters
   const account::Step& step = line.step;
   std::string text = formula::symbol_plain(step.symbol);
   Quantity value = step.value;
@@ -58,6 +67,7 @@ std::string in_a_row(const Derived& line) {
     if (side != result) text += " = " + side;
   }
   text += " = " + result;
+  text += condition_of(step.why.text());
   std::string keys;
   for (const std::string& key : keys_in(step.why.text())) keys += " [" + key + "]";
   if (letters_of(text) <= longest_unbroken) text = unbroken(std::move(text));
@@ -67,12 +77,15 @@ std::string in_a_row(const Derived& line) {
 /// The lines before those that are set, one after the other as a text.
 Paragraph in_a_text(const std::vector<std::string>& lines) {
   std::string all;
-  for (const std::string& line : lines) all += (all.empty() ? "" : "; ") + line;
-  return {say("Before: {1}.", all), Paragraph::Tone::note};
+  for (const std::string& line : lines) all += (all.empty() ? "" : ";\u00A0 ") + line;  // a wider gap
+  return {say("Preliminary values: {1}.", all), Paragraph::Tone::note};
 }
 
-Panel panel_of(const Governing& row, const project::Step& step, const std::vector<Derived>& lines) {
-  Panel panel{say("{1}: {2}", capitalised(row.component), mode_name(row.mode)), {}, {}};
+Panel panel_of(const project::Project& project, const Governing& row, const project::Step& step,
+               const std::vector<Derived>& lines) {
+  constexpr double most_letters = 45.0;
+  const std::string name = capitalised(titled(project, row.component, most_letters));
+  Panel panel{say("{1}: {2}", name, mode_name(row.mode)), {}, {}};
   if (!step.account().governing.empty()) panel.remark = say("calculated {1}", step.account().governing);
   Derivation derivation;
   for (const Derived& line : lines) {
@@ -97,8 +110,8 @@ namespace {
 /// A mode with the lines that its utilisation follows from: the last are set, those before are a text.
 class Derivable {
  public:
-  Derivable(const Governing& mode, const project::Step& of, std::vector<Derived> from)
-      : row_(&mode), step_(&of), lines_(std::move(from)) {
+  Derivable(const project::Project& project, const Governing& mode, const project::Step& of, std::vector<Derived> from)
+      : project_(&project), row_(&mode), step_(&of), lines_(std::move(from)) {
     for (const Derived& line : lines_) {
       heights_.push_back(height_of(line.step));
       texts_.push_back(in_a_row(line));
@@ -117,7 +130,7 @@ class Derivable {
   void leave_one_out() { ++left_out_; }
 
   [[nodiscard]] Panel panel() const {
-    Panel panel = panel_of(*row_, *step_, {lines_.end() - static_cast<std::ptrdiff_t>(set_), lines_.end()});
+    Panel panel = panel_of(*project_, *row_, *step_, {lines_.end() - static_cast<std::ptrdiff_t>(set_), lines_.end()});
     if (!early().empty()) panel.blocks.insert(panel.blocks.begin(), in_a_text(early()));
     if (left_out_ == 0) return panel;
     const Message before =
@@ -139,6 +152,7 @@ class Derivable {
     return {begin, begin + static_cast<std::ptrdiff_t>(early_lines())};
   }
 
+  const project::Project* project_;
   const Governing* row_;
   const project::Step* step_;
   std::vector<Derived> lines_;
@@ -157,7 +171,7 @@ std::vector<Derivable> derivable(const project::Project& project, const std::vec
     if (!formulas.insert(std::string(step->input().calculator->id) + "." + row.mode.id).second) continue;
     std::vector<Derived> lines = reasons_of(step->account(), row.mode.governs).lines;
     std::erase_if(lines, [](const Derived& line) { return !is_worth_a_line(line); });
-    if (!lines.empty()) all.emplace_back(row, *step, std::move(lines));
+    if (!lines.empty()) all.emplace_back(project, row, *step, std::move(lines));
   }
   return all;
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 namespace loadpath::report {
@@ -49,8 +50,28 @@ std::size_t rows_that_fit(const Table& sources, double height) {
   return count;
 }
 
-/// "DIN 6892:2012: Parallel keys, method C" of a source with what was taken from it, which the appendix has.
-std::string without_remarks(const std::string& source) { return source.substr(0, source.find("; ")); }
+/// The first "; " that is not within brackets; npos if there is none.
+std::size_t remark_of(const std::string& source) {
+  int open = 0;
+  for (std::size_t i = 0; i + 1 < source.size(); ++i) {
+    if (source[i] == '(') ++open;
+    if (source[i] == ')') --open;
+    if (open == 0 && source.compare(i, 2, "; ") == 0) return i;
+  }
+  return std::string::npos;
+}
+
+/// "DIN 6892:2012: Parallel keys, method C" of a source with what was taken from it, which the appendix has. That it
+/// was not checked against the source stays.
+std::string without_remarks(const std::string& source) {
+  constexpr std::string_view warning = "not checked against";
+  const std::size_t end = remark_of(source);
+  if (end == std::string::npos) return source;
+  const std::string kept = source.substr(0, end);
+  const std::size_t clause = source.find(warning, end);
+  if (clause == std::string::npos || kept.find(warning) != std::string::npos) return kept;
+  return kept + " (" + source.substr(clause, source.find_first_of(".,;)", clause) - clause) + ")";
+}
 
 }  // namespace
 

@@ -126,6 +126,14 @@ std::vector<Governing> governing_modes(const Project& project, const Summary& su
   return rows;
 }
 
+Message share_shown(const Summary& summary, std::size_t shown) {
+  const auto assessed = static_cast<std::size_t>(std::ranges::count_if(
+      summary.modes, [](const Mode& mode) { return account::is_counted(mode) && mode.utilisation.has_value(); }));
+  const std::string some = std::to_string(shown), all = std::to_string(assessed);
+  return assessed == shown ? say("{1} of {2} with a utilisation", some, all)
+                           : say("{1} of {2} with a utilisation, rest: appendix", some, all);
+}
+
 std::string safety_text(const Project& project, const Mode& mode) {
   const project::Step* const step = project.find(mode.step);
   if (step == nullptr || !mode.utilisation || !(*mode.utilisation > 0.0)) return {};
@@ -137,15 +145,17 @@ std::string safety_text(const Project& project, const Mode& mode) {
   return unbroken(safety_number(1.0 / *mode.utilisation) + " / 1");
 }
 
-Table governing_table(const Project& project, const std::vector<Governing>& rows) {
+Table governing_table(const Project& project, const std::vector<Governing>& rows, bool has_titles) {
+  constexpr double most_letters = 18.0;
   Table table{
       {},
       {say("Component"), say("Failure mode"), say("Demand / capacity"), say("Safety / required"), say("Utilisation")},
       {}};
   for (const Governing& row : rows) {
     const Cell used = row.mode.utilisation ? Cell(Utilisation{*row.mode.utilisation}) : Cell(row.mode.state);
+    std::string name = has_titles ? titled(project, row.component, most_letters) : row.component;
     table.rows.push_back(
-        {row.component, mode_name(row.mode), compared_text(project, row.mode), safety_text(project, row.mode), used});
+        {std::move(name), mode_name(row.mode), compared_text(project, row.mode), safety_text(project, row.mode), used});
   }
   return table;
 }

@@ -4,6 +4,7 @@
 #include "lib/formula/names.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/appendix.hpp"
+#include "lib/report/columns.hpp"
 #include "lib/report/numbers/numbers.hpp"
 #include "lib/report/summary/summary.hpp"
 #include "lib/report/worked.hpp"
@@ -131,6 +132,20 @@ std::string short_value(const Entry& entry) {
     text = formula::quantity_plain(written({si, entry.unit, as_typed ? digits : short_digits}));
   if (text.starts_with('-')) text.replace(0, 1, "\u2212");
   return unbroken(std::move(text));
+}
+
+std::string titled(const project::Project& project, const std::string& component, double most_letters) {
+  constexpr std::string_view article = "The ";
+  std::string title;
+  for (const auto& step : project.steps) {
+    if (component_name(*step) != component) continue;
+    if (!title.empty() || step->input().title.empty()) return component;
+    title = step->input().title;
+  }
+  const auto has_title = [&](const auto& step) { return step->input().title == title; };
+  if (std::ranges::count_if(project.steps, has_title) > 1) return component;
+  if (title.starts_with(article)) title = capitalised(title.substr(article.size()));
+  return title.empty() || letters_of(title) > most_letters ? component : title;
 }
 
 bool comes_from_step(const Entry& entry) {

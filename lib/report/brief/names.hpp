@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/account/account.hpp"
+#include "lib/project/project.hpp"
 #include "lib/report/document.hpp"
 
 #include <string>
@@ -21,6 +22,9 @@ std::string short_value(const account::Entry& entry);
 std::string short_origin(const account::Entry& entry);
 /// Whether the value is a result or an input of another step, or is computed from one.
 bool comes_from_step(const account::Entry& entry);
+/// The title of a component's only step without its article: "Locating bearing, 6209" of "left"; the name if the title
+/// is longer than that or not unique, or several steps are one component.
+std::string titled(const project::Project& project, const std::string& component, double most_letters);
 /// A text that is not broken between lines.
 std::string unbroken(std::string text);
 

@@ -113,17 +113,35 @@ Cell size_cell(const Project& project, const Component& component, Given shown) 
   return Sized{joined(component.sizes, "*, "), given};
 }
 
-/// A row for each component.
-std::vector<std::vector<Cell>> rows_of(const Project& project, const Summary& summary, Given given) {
+const Calculator* calculator_of(const Project& project, const Component& component) {
+  const auto step =
+      std::ranges::find_if(project.steps, [&](const auto& s) { return component_name(*s) == component.name; });
+  return step == project.steps.end() ? nullptr : (*step)->input().calculator;
+}
+
+/// Sized components first; bearings, keys and others of one kind follow the most utilised of them.
+std::vector<Component> in_rows(const Project& project, const Summary& summary) {
   std::vector<Component> components = summary.components;
-  std::stable_partition(components.begin(), components.end(),
-                        [](const Component& component) { return component.is_sized; });
+  const auto given = std::stable_partition(components.begin(), components.end(),
+                                           [](const Component& component) { return component.is_sized; });
+  for (auto first = given; first != components.end();) {
+    const Calculator* const kind = calculator_of(project, *first);
+    first = std::stable_partition(
+        first, components.end(), [&](const Component& component) { return calculator_of(project, component) == kind; });
+  }
+  return components;
+}
+
+/// A row for each component.
+std::vector<std::vector<Cell>> rows_of(const Project& project, const Summary& summary, Given given, bool has_titles) {
+  constexpr double most_letters = 18.0;
   std::vector<std::vector<Cell>> rows;
-  for (const Component& component : components) {
+  for (const Component& component : in_rows(project, summary)) {
     if (component.sizes.empty() || !has_size(project, component)) continue;
     const bool is_left_out = given == Given::not_drawn && is_drawn(project, component);
     Cell size = size_cell(project, component, is_left_out ? Given::none : given);
-    rows.push_back({component.name, std::move(size), material_of(project, component.name)});
+    std::string name = has_titles ? titled(project, component.name, most_letters) : component.name;
+    rows.push_back({std::move(name), std::move(size), material_of(project, component.name)});
   }
   return rows;
 }
@@ -162,13 +180,19 @@ std::size_t lines_of(const Table& sizes) {
 }
 
 std::size_t fewest_lines(const Project& project, const Summary& summary) {
-  return lines_of(Table{{}, {}, rows_of(project, summary, Given::none)});
+  return lines_of(Table{{}, {}, rows_of(project, summary, Given::none, titles_fit(project, summary))});
+}
+
+bool titles_fit(const Project& project, const Summary& summary) {
+  constexpr std::size_t most_lines = 16;
+  return lines_of(Table{{}, {}, rows_of(project, summary, Given::none, true)}) <= most_lines;
 }
 
 Table sizes_table(const Project& project, const Summary& summary, std::size_t most) {
   Table table{{}, {say("Component"), has_sizes(project) ? say("Size") : say("Result"), say("Material")}, {}};
+  const bool has_titles = titles_fit(project, summary);
   for (const Given given : {Given::all, Given::searchable, Given::not_drawn, Given::none}) {
-    table.rows = rows_of(project, summary, given);
+    table.rows = rows_of(project, summary, given, has_titles);
     if (lines_of(table) <= most) break;
   }
   const std::size_t left = drop_rows(table, most);

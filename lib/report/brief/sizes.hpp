@@ -16,6 +16,8 @@ bool has_sizes(const project::Project& project);
 std::size_t lines_of(const Table& sizes);
 /// The fewest lines in which every component has its row.
 std::size_t fewest_lines(const project::Project& project, const Summary& summary);
+/// Whether page 1 has room for the titles of steps in place of their names.
+bool titles_fit(const project::Project& project, const Summary& summary);
 /// The next smaller size of each value that was found, and the mode that it fails.
 std::vector<Block> next_size_notes(const Summary& summary, std::size_t most);
 

@@ -11,15 +11,23 @@
 namespace loadpath::report::page {
 namespace {
 
-/// A number and its unit are not broken between lines; a browser may break behind a solidus.
-std::string kept(const std::string& quantity) {
+std::string with_kept_blanks(std::string text) {
   constexpr std::string_view kept_blank = "\u00A0";
-  std::string text = page::quantity(quantity);
-  const std::size_t blank = text.find(' ');
-  if (blank == std::string::npos) return text;
-  if (quantity.find('/') != std::string::npos) return "<span class=\"quantity\">" + text + "</span>";
-  for (std::size_t at = blank; at != std::string::npos; at = text.find(' ', at)) text.replace(at, 1, kept_blank);
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at))
+    text.replace(at, 1, kept_blank);
   return text;
+}
+
+/// A number and its unit are not broken between lines; a browser may break behind a solidus. A number with a power of
+/// ten is long: it may be broken in front of its unit, "5.696 · 10⁷ mm⁴".
+std::string kept(const std::string& quantity) {
+  constexpr std::string_view power = " \u00B7 10", begin = "<span class=\"quantity\">", end = "</span>";
+  std::string text = page::quantity(quantity);
+  if (text.find(' ') == std::string::npos) return text;
+  if (quantity.find('/') != std::string::npos) return std::string(begin).append(text).append(end);
+  const std::size_t ten = text.find(power), unit = text.rfind(' ');
+  if (ten == std::string::npos || unit < ten + power.size()) return with_kept_blanks(std::move(text));
+  return with_kept_blanks(text.substr(0, unit)).append(" ").append(begin).append(text, unit + 1).append(end);
 }
 
 /// An expression may break behind the dots of its paths: "= intermediate.bearings.left.F_r" in a narrow column.

@@ -50,20 +50,24 @@ std::string with_subscript(std::string_view word) {
   return escaped(word.substr(0, bar)) + "<sub>" + escaped(below) + "</sub>";
 }
 
-/// The end of a word; the second index of "p_adm,1" and of "x_d,k" belongs to it.
+/// The end of a second index, a digit or letters without an index of their own; 0 of anything else.
+std::size_t end_of_index(std::string_view text, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < text.size() && is_of_symbol(text[end])) ++end;
+  const std::string_view index = text.substr(begin, end - begin);
+  if (index.empty()) return 0;
+  if (index.front() >= '0' && index.front() <= '9') return index.size() == 1 ? end : 0;
+  return index.front() >= 'a' && index.front() <= 'z' && index.find('_') == std::string_view::npos ? end : 0;
+}
+
+/// The end of a word; the second index of "p_adm,1", of "x_d,k" and of "v_rim,adm" belongs to it.
 std::size_t end_of_word(std::string_view text, std::size_t begin) {
   constexpr std::string_view negative = "_\u2212";  // of a fatigue limit, "σ_−1"
   std::size_t end = begin;
   while (end < text.size() && (is_of_symbol(text[end]) || (end > begin && text.substr(end - 1).starts_with(negative))))
     ++end;
-  const auto is_digit = [&](std::size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
-  const auto is_index = [&](std::size_t at) {
-    const bool is_letter = at < text.size() && text[at] >= 'a' && text[at] <= 'z';
-    return is_digit(at) ? !is_digit(at + 1) : is_letter && (at + 1 == text.size() || !is_of_symbol(text[at + 1]));
-  };
-  const bool has_second =
-      end < text.size() && text[end] == ',' && is_index(end + 1) && is_indexed(text.substr(begin, end - begin));
-  return has_second ? end + 2 : end;
+  const bool has_comma = end + 1 < text.size() && text[end] == ',' && is_indexed(text.substr(begin, end - begin));
+  return has_comma ? std::max(end, end_of_index(text, end + 1)) : end;
 }
 
 /// Whether it is the 2 of "s^2", between no quotes, where the user types it so.

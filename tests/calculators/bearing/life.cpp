@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -53,6 +54,24 @@ TEST_SUITE("rolling bearing") {
     CHECK(a_ISO(bearing::Kind::cylindrical_roller_NU, 0.4) == doctest::Approx(0.154).epsilon(0.004));
     CHECK(a_ISO(bearing::Kind::cylindrical_roller_NU, 1.0) == doctest::Approx(0.399).epsilon(0.003));
     CHECK(a_ISO(bearing::Kind::cylindrical_roller_NU, 4.0) == doctest::Approx(0.664).epsilon(0.003));
+  }
+
+  TEST_CASE("the equivalent load is shown by the formula that applies, [ISO281]: X = 1, Y = 0 up to e") {
+    Rolling::Input in;
+    in.kind = bearing::Kind::self_aligning_ball;
+    in.C = 40.0 * kN, in.n = 1500.0 * rpm, in.e = 0.3, in.Y = 3.3, in.Y_1 = 2.1, in.F_r = 10.0 * kN;
+    const auto shown = [&](double F_a_kN) {
+      in.F_a = F_a_kN * kN;
+      Trace trace;
+      (void)Rolling::evaluate(in, trace);
+      const auto line = std::ranges::find(trace.lines(), std::string("P"), &Line::symbol);
+      return std::string(line->formula) + "; " + std::to_string(line->si / 1000.0);
+    };
+    CHECK(shown(2.0) == "F_rK + Y_1 * F_aK; 14.200000");    // 10 + 2.1 2
+    CHECK(shown(4.0) == "X * F_rK + Y * F_aK; 19.700000");  // 0.65 10 + 3.3 4
+    in.kind = bearing::Kind::deep_groove_ball;
+    CHECK(shown(2.0) == "F_rK; 10.000000");
+    CHECK(shown(4.0) == "X * F_rK + Y * F_aK; 18.800000");  // 0.56 10 + 3.3 4
   }
 
   TEST_CASE("a_ISO is continuous where its constants change, rises with the film up to 4, and never exceeds 50") {

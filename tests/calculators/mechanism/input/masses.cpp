@@ -15,6 +15,7 @@ std::string written(const std::string& rod, const std::string& slider = "") {
   return R"([a]
 calculator = "mechanism.planar"
 crank = { joint = "O", speed = "60 rpm", positions = 12 }
+gravity = "0 m/s^2"
 ground = { O = ["0 mm", "0 mm"], G = ["0 mm", "0 mm"] }
 links.crank = { points = { O = ["0 mm", "0 mm"], A = ["50 mm", "0 mm"] }, angle = "0 deg" }
 joints.O = { type = "revolute", links = ["crank", "ground"] }
@@ -42,6 +43,16 @@ TEST_SUITE("masses of links") {
     CHECK(peak(written(", mass = \"3 kg\"", ", mass = \"5 kg\"")) ==
           doctest::Approx(peak(by_template + masses)).epsilon(1e-12));
     CHECK(value(solved(written(", mass = \"3 kg\"")), "a.links.rod.J") == doctest::Approx(3.0 * 0.04 / 12.0));
+  }
+
+  TEST_CASE("weights that are left out because no gravity is given are named") {
+    const auto warned = [](const std::string& text) { return solved(text).find("a")->account().warnings; };
+    const std::string none_given = replaced(written(", mass = \"3 kg\""), "gravity = \"0 m/s^2\"\n", "");
+    REQUIRE(warned(none_given).size() == 1);
+    CHECK(warned(none_given)[0].text() == "gravity not given: own weights of the links are not included");
+    CHECK(warned(written(", mass = \"3 kg\"")).empty());
+    CHECK(warned(replaced(none_given, "[a]\n", "[a]\ngravity = \"9.81 m/s^2\"\n")).empty());
+    CHECK(warned(replaced(written(""), "gravity = \"0 m/s^2\"\n", "")).empty());
   }
 
   TEST_CASE("a typed mass centre needs the inertia, except where inertia is not included") {

@@ -147,7 +147,7 @@ int try_smaller(const Shaft& shaft, const Solved& found) {
     const std::string why = found.origin("axle", "pieces[" + std::to_string(i + 1) + "].d");
     CAPTURE(shaft.text(typed));
     CAPTURE(why);
-    CHECK(unsound == (contains(why, "shoulder height would") || contains(why, "pushed over")));
+    CHECK(unsound == (contains(why, "shoulder at x = ") || contains(why, "pushed over")));
     if (unsound) continue;
     ++tried;
     const Solved smaller(shaft.text(typed));

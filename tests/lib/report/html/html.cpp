@@ -1,3 +1,4 @@
+#include "lib/report/conclusion.hpp"
 #include "tests/lib/report/documents.hpp"
 
 #include <doctest/doctest.h>
@@ -29,6 +30,8 @@ TEST_SUITE("report") {
       CHECK(contains(paragraph(typed), typed));
     }
     CHECK(contains(paragraph("in p_adm,1, 40 MPa"), "in p<sub>adm,1</sub>, 40 MPa"));
+    CHECK(contains(paragraph("in v_rim,adm"), "in v<sub>rim,adm</sub>"));
+    CHECK(contains(paragraph("F_r,M_b"), "F<sub>r</sub>,M<sub>b</sub>"));
     CHECK(contains(paragraph("s^2/(6 h m_n)"), "s<sup>2</sup>/(6 h m<sub>n</sub>)"));
     CHECK(contains(paragraph("give A = \"5 mm^2\""), "5 mm^2"));
     CHECK(contains(paragraph("gear ratio z_2/z_1"), "z<sub>2</sub>/z<sub>1</sub>"));
@@ -205,6 +208,14 @@ TEST_SUITE("report") {
     const std::string page = html(document);
     CHECK(contains(page, "Not considered (applicability not stated): shaft: wear."));
     CHECK_FALSE(contains(page, "wear<br>"));
+  }
+
+  TEST_CASE("a mode that another step has assessed is counted there") {
+    account::Mode there = mode(0.5, State::pass);
+    there.judge = "shaft.key";
+    there.governs.clear();
+    CHECK(tally({there, mode(0.4, State::pass)}).text() ==
+          "1 failure mode: 1 pass; 1 more row: assessed by another step, counted there.");
   }
 
   TEST_CASE("a utilisation draws a bar that ends at the edge") {

@@ -270,8 +270,8 @@ TEST_SUITE("report of one machine") {
       return std::string("none");
     };
     CHECK(row("belts", "power rating of the belts") == "13.75 / 18.99 kW; 1.381 / 1");
-    CHECK(row("gears", "tooth root bending") == "187.2 / 260 MPa; in σ_adm");
-    CHECK(row("shaft", "fatigue of sections and notches, key end") == "1.5 / 2.54; 2.54 / 1.5");
+    CHECK(row("Pinion and wheel", "tooth root bending") == "187.2 / 260 MPa; in σ_adm");
+    CHECK(row("Driving shaft", "fatigue of sections and notches, key end") == "1.5 / 2.54; 2.54 / 1.5");
   }
 
   TEST_CASE("the title block has the texts of the project") {

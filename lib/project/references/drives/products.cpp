@@ -13,10 +13,10 @@ namespace loadpath::project {
 bool is_application_factor(const std::string& path) { return path.substr(path.rfind('.') + 1).starts_with("K_A"); }
 
 const Value* value_of_file(const Project& project, const std::string& path) {
-  constexpr std::string_view of_values = "values.";
+  constexpr std::string_view prefix = "values.";
   NotedReads::note(path);
   const Value* const value = project.value(path);
-  return value != nullptr || !path.starts_with(of_values) ? value : project.values.fixed(path.substr(of_values.size()));
+  return value != nullptr || !path.starts_with(prefix) ? value : project.values.fixed(path.substr(prefix.size()));
 }
 
 namespace {

@@ -12,8 +12,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <regex>
 #include <set>
 #include <string>
@@ -322,6 +324,28 @@ TEST_SUITE("report of one machine") {
     const Document document = brief_of(machine("line-shaft"));
     REQUIRE(document.pages.size() == 1);
     CHECK(panel_of(document, "Line shaft: angle of twist per unit length") != nullptr);
+  }
+
+  TEST_CASE("the equivalent stress of a section follows from its row, its safety factor from that of the next list") {
+    const Document document = brief_of(machine("fan-belt"));
+    const report::Table& sections = table_of(document, "Sections");
+    constexpr double k_max = 1.5;  // of the project
+    const auto number = [](const report::Table& table, std::size_t row, std::string_view symbol) {
+      const auto head = std::ranges::find_if(
+          table.head, [&](const Message& h) { return !h.args.empty() && h.args[0].text() == symbol; });
+      REQUIRE(head != table.head.end());
+      return std::get<report::Quantity>(table.rows[row][static_cast<std::size_t>(head - table.head.begin())]).si;
+    };
+    for (std::size_t i = 0; i < sections.rows.size(); ++i) {
+      const auto of = [&](std::string_view symbol) { return number(sections, i, symbol); };
+      const double A = std::numbers::pi / 4.0 * of("d") * of("d");
+      const double fibre = std::hypot(of("sigma_b") + std::abs(of("sigma_n")), std::sqrt(3.0) * of("tau"));
+      const double axis = std::hypot(of("sigma_n"), std::sqrt(3.0) * (of("tau") + 4.0 / 3.0 * of("V") / A));
+      CHECK(of("sigma_v") == doctest::Approx(k_max * std::max(fibre, axis)).epsilon(1e-3));
+    }
+    const report::Table& safeties = table_of(document, "Fatigue safety factors of the same sections");
+    for (const char* const symbol : {"K_f", "K_fs", "S_e", "sigma_a", "sigma_m", "u_D"})
+      CHECK(number(safeties, 0, symbol) > 0.0);
   }
 
   TEST_CASE("a formula set is printed once: the second bearing has its numbers only") {

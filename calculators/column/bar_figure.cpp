@@ -33,8 +33,8 @@ void add_load(const MemberResult& r, Point at, Drawing::View& view) {
   view.forces.push_back({at, {0.0, -in_si(r.F)}, {"F", in_si(r.F), "kN"}, true, 0.0, true});
 }
 
-/// Upright, its start below; the deflection as large as it is well seen.
-Drawing::View bar_view(const BucklingInput& in, const MemberResult& r, AxisName axis) {
+/// Upright, its start below; the deflection as large as it is well seen. `moment`: the largest about this axis.
+Drawing::View bar_view(const BucklingInput& in, const MemberResult& r, AxisName axis, Moment moment) {
   const double l = in_si(in.l), reach = 0.09 * l;
   const Bar bar = bar_of(in, axis);
   const Shape shape = buckled_shape(bar, buckling_parameter(bar));
@@ -55,6 +55,10 @@ Drawing::View bar_view(const BucklingInput& in, const MemberResult& r, AxisName 
   view.lengths.push_back({{0.0, 0.0}, {0.0, l}, {"l", l, "mm"}, Drawing::Side::right});
   const AxisResult& found = r.axes[axis == AxisName::y ? 0 : 1];
   view.names.push_back({{0.5 * reach, -0.17 * l}, "", Drawing::Value{"s", in_si(found.s), "mm"}, false});
+  if (moment > 0.0 * N_m) {
+    const char* const symbol = axis == AxisName::y ? "M_yEd" : "M_zEd";
+    view.names.push_back({{0.5 * reach, -0.32 * l}, "", Drawing::Value{symbol, in_si(moment), "kN*m"}, false});
+  }
   add_load(r, head, view);
   return view;
 }
@@ -157,10 +161,11 @@ bool is_shown(const BucklingInput& in, const MemberResult& r, AxisName axis) {
 
 }  // namespace
 
-std::optional<figure::Figure> bar_figure(const BucklingInput& in, const MemberResult& r) {
+std::optional<figure::Figure> bar_figure(const BucklingInput& in, const MemberResult& r,
+                                         const std::array<Moment, 2>& moments) {
   auto drawing = std::make_shared<Drawing>();
   for (const auto axis : {AxisName::y, AxisName::z}) {
-    if (is_shown(in, r, axis)) drawing->views.push_back(bar_view(in, r, axis));
+    if (is_shown(in, r, axis)) drawing->views.push_back(bar_view(in, r, axis, moments[axis == AxisName::y ? 0 : 1]));
   }
   if (drawing->views.empty()) return std::nullopt;
   for (auto& view : drawing->views) view.share = 0.3;

@@ -7,6 +7,7 @@
 #include "calculators/column/member/result.hpp"
 #include "lib/figure/figure.hpp"
 
+#include <array>
 #include <optional>
 
 namespace loadpath::column {
@@ -62,7 +63,9 @@ inline Method method_of(const BucklingInput& in) {
   return in.method != Method::unsaid ? in.method : default_method(in, is_structural(in));
 }
 
-/// The buckled bar about each axis with known ends, next to its section; none if no ends are known.
-std::optional<figure::Figure> bar_figure(const BucklingInput& in, const MemberResult& r);
+/// The buckled bar about each axis with known ends, next to its section; none if no ends are known. `moments`: the
+/// largest about y and about z.
+std::optional<figure::Figure> bar_figure(const BucklingInput& in, const MemberResult& r,
+                                         const std::array<Moment, 2>& moments = {});
 
 }  // namespace loadpath::column

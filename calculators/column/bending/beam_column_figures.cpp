@@ -27,7 +27,7 @@ std::vector<figure::Figure> BeamColumn::figures(const Input& in, const Result& r
   if (r.M_yEd > 0.0 * N_m.one) plot.curves.push_back(course("about y", moments_about_y(in)));
   if (r.M_zEd > 0.0 * N_m.one) plot.curves.push_back(course("about z", moments_about_z(in)));
   std::vector<figure::Figure> figures;
-  if (auto bar = bar_figure(in, r)) figures.push_back(std::move(*bar));
+  if (auto bar = bar_figure(in, r, {r.M_yEd, r.M_zEd})) figures.push_back(std::move(*bar));
   if (!plot.curves.empty())
     figures.push_back({"moments", "Bending moments along the bar (without partial factors)", std::move(plot)});
   return figures;

@@ -106,7 +106,7 @@ template <class Tracer>
 void stress(const Input& in, const InternalForces& forces, const Notched* notch, Section& p, Tracer& trace) {
   p.M_x = trace.value("M_x", from_si<Moment>(forces.M_x), "from the beam model");
   p.M_y = trace.value("M_y", from_si<Moment>(forces.M_y), "same, other plane");
-  const Force V = trace.value("V", from_si<Force>(forces.V), "across the shaft, both planes together");
+  p.V = trace.value("V", from_si<Force>(forces.V), "across the shaft, both planes together");
   p.N = trace.value("N", from_si<Force>(forces.N), "axial: resultant of the forces on the left");
   p.T = trace.value("T", from_si<Moment>(forces.T), "torsional: resultant of the torques on the left");
   STEP_TO(p, M, sqrt(p.M_x * p.M_x + p.M_y * p.M_y), "both planes together");
@@ -117,7 +117,7 @@ void stress(const Input& in, const InternalForces& forces, const Notched* notch,
   STEP(kappa, 4.0 / 3.0 * (p.d * p.d + p.d * p.d_bore + p.d_bore * p.d_bore) / (p.d * p.d + p.d_bore * p.d_bore),
        "shear at the neutral axis over the mean shear, from Q S / (I b) of a ring");
   STEP(sigma_f, sqrt(pow<2>(sigma_b + abs(sigma_n)) + 3.0 * tau * tau), "extreme fibre, [Mises]");
-  STEP(sigma_q, sqrt(sigma_n * sigma_n + 3.0 * pow<2>(tau + kappa * V / A)), "neutral axis, [Mises]");
+  STEP(sigma_q, sqrt(sigma_n * sigma_n + 3.0 * pow<2>(tau + kappa * p.V / A)), "neutral axis, [Mises]");
   STEP_TO(p, sigma_v, in.k_max * max(sigma_f, sigma_q), "the larger of the two, at the maximum load");
   if (!is_set(in.S_F)) return;
   STEP_TO(p, u_v, in.S_F * sigma_v / in.R_e, "yield");

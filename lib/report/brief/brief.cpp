@@ -8,6 +8,7 @@
 #include "lib/report/brief/governing.hpp"
 #include "lib/report/brief/heights.hpp"
 #include "lib/report/brief/inputs.hpp"
+#include "lib/report/brief/lists.hpp"
 #include "lib/report/brief/names.hpp"
 #include "lib/report/brief/results.hpp"
 #include "lib/report/brief/sizes.hpp"
@@ -53,7 +54,6 @@ class Pages {
   Band inputs_in_columns();
   void add_diagrams(Page& page);
   bool takes(const Panel& panel);
-  bool takes_most(Panel& panel);
   void add_recomputing(std::vector<Page>& pages);
   void add_derivations(double height, Page& page) const;
   [[nodiscard]] Panel sizes(std::size_t most_lines) const;
@@ -65,6 +65,7 @@ class Pages {
   void add_main(double room, Page& page);
   void add_figure(const StepFigure& figure, bool whole, Panel& panel);
   void name_shaft(const StepFigure& figure, Panel& panel) const;
+  void add_lists(const project::Step& step, Page& page);
   void add_shafts(Page& page);
   [[nodiscard]] const project::Step* main_step() const { return main_.empty() ? nullptr : main_.back().step; }
 
@@ -73,6 +74,7 @@ class Pages {
   std::vector<Governing> rows_;
   std::vector<StepFigure> main_, further_, shafts_;  // shafts_: those that are not yet on a page
   ShownFigures shown_;
+  std::vector<Panel> lists_left_;     // those of page 3
   std::optional<Panel> assumptions_;  // where page 1 has no room for them
   double rest_ = 0.0;                 // height left on the page, mm
   bool are_diagrams_shown_ = false;   // on page 1
@@ -283,27 +285,19 @@ Band Pages::inputs_and_diagrams() {
 
 /// Takes the height of a table, if there is as much left on the page.
 bool Pages::takes(const Panel& panel) {
-  constexpr double of_row = 3.9, of_name_row = 6.2, heading = 15.0;  // mm; names in half a page's width may break
-  const auto& table = std::get<Table>(panel.blocks.front());
-  const double row = table.head.front().id == "Quantity" ? of_name_row : of_row;
-  const double height = heading + row * static_cast<double>(table.rows.size());
+  const double height = height_of_table(panel);
   if (height > rest_) return false;
   rest_ -= height;
   return true;
 }
 
-/// Takes the height of a table, or of the rows that matter most.
-bool Pages::takes_most(Panel& panel) {
-  constexpr std::size_t fewest = 5;
-  auto& table = std::get<Table>(panel.blocks.front());
-  for (std::size_t rows = table.rows.size(); rows >= fewest; --rows) {
-    Panel part = panel;
-    part.blocks.front() = most_utilised_rows(table, rows);
-    if (!takes(part)) continue;
-    panel = std::move(part);
-    return true;
+void Pages::add_lists(const project::Step& step, Page& page) {
+  Lists lists = lists_of(project_, step, summary_, rows_, rest_);
+  for (Panel& panel : lists.checking) {
+    rest_ -= height_of_table(panel);
+    page.bands.push_back(across(std::move(panel)));
   }
-  return false;
+  lists_left_ = std::move(lists.recomputing);
 }
 
 Page Pages::checking() {
@@ -314,14 +308,7 @@ Page Pages::checking() {
     rest_ -= height_of(*assumptions_, half + other_half);
     page.bands.push_back(across(std::move(*assumptions_)));
   }
-  if (const project::Step* const step = main_step()) {
-    for (Panel& panel : list_panels(*step, summary_.modes)) {
-      if (takes_most(panel)) page.bands.push_back(across(std::move(panel)));
-    }
-    for (Panel& panel : load_panels(*step)) {
-      if (takes(panel)) page.bands.push_back(across(std::move(panel)));
-    }
-  }
+  if (const project::Step* const step = main_step()) add_lists(*step, page);
   add_shafts(page);
   std::vector<Panel> results = result_panels(project_, summary_, main_step(), most_results);
   for (std::size_t i = 0; i < results.size(); i += 2) {
@@ -338,7 +325,7 @@ Page Pages::checking() {
 constexpr double real_share = 0.94;  // of the estimated height of lines, at most
 
 void Pages::add_derivations(double height, Page& page) const {
-  constexpr double of_sources = 42.0, heading = 8.0;  // mm
+  constexpr double heading = 8.0;  // mm
   Derivations derivations = governing_derivations(project_, rows_, height - of_sources);
   for (Panel& panel : derivations.panels) page.bands.push_back(across(std::move(panel)));
   Table sources = fitting(citations(derivations.sources), height - real_share * derivations.height - heading);
@@ -347,13 +334,18 @@ void Pages::add_derivations(double height, Page& page) const {
         across({say("References"), say("named on this page; all sources: appendix"), {std::move(sources)}}));
 }
 
-/// After the shafts for which page 2 had no room. Derivations begin on page 2 if it is half empty, or if all fit there.
+/// After the shafts and the lists for which page 2 had no room. Derivations begin on page 2 if it is half empty, or if
+/// all fit there.
 void Pages::add_recomputing(std::vector<Page>& pages) {
   constexpr double half_empty = 0.38 * page_height, reserve = 12.0;  // mm
-  const double left = shafts_.empty() ? rest_ : 0.0;
+  const double left = shafts_.empty() && lists_left_.empty() ? rest_ : 0.0;
   rest_ = page_height;
   Page page, derived;
   add_shafts(page);
+  for (Panel& list : lists_left_) {
+    rest_ -= height_of_table(list);
+    page.bands.push_back(across(std::move(list)));
+  }
   add_derivations(rest_, derived);
   double all = 0.0;
   for (const Band& band : derived.bands) all += height_of_lines(band);

@@ -128,6 +128,7 @@ class Derivable {
   void set_one_more() { ++set_; }
   void set_one_less() { --set_; }
   void leave_one_out() { ++left_out_; }
+  [[nodiscard]] std::size_t left_out() const { return left_out_; }
 
   [[nodiscard]] Panel panel() const {
     Panel panel = panel_of(*project_, *row_, *step_, {lines_.end() - static_cast<std::ptrdiff_t>(set_), lines_.end()});
@@ -218,6 +219,7 @@ Derivations governing_derivations(const project::Project& project, const std::ve
   all.height = height_of_all(modes);
   for (const Derivable& mode : modes) {
     all.sources.merge(mode.sources());
+    all.left_out += mode.left_out();
     all.panels.push_back(mode.panel());
   }
   return all;

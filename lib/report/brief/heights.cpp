@@ -59,6 +59,13 @@ double height_of(const Panel& panel, double width) {
   return height;
 }
 
+double height_of_table(const Panel& panel) {
+  constexpr double of_row = 3.9, of_name_row = 6.2, heading = 15.0;  // mm; names in half a page's width may break
+  const auto& table = std::get<Table>(panel.blocks.front());
+  const double row = table.head.front().id == "Quantity" ? of_name_row : of_row;
+  return heading + row * static_cast<double>(table.rows.size());
+}
+
 double height_of(const Band& band) {
   double highest = 0.0;
   for (const Stack& stack : band) {

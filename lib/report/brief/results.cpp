@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace loadpath::report {
 
@@ -51,7 +52,7 @@ std::set<std::string> given_of(const Reasons& reasons, const std::set<std::strin
 
 /// The checks of a list, and the fields that they follow from over a few formulas.
 std::set<std::string> deciding_fields(const Step& step, const account::Modes& modes, const std::string& list) {
-  constexpr int most_formulas = 3;
+  constexpr int most_formulas = 4;
   std::set<std::string> fields;
   for (const Mode& mode : modes) {
     if (mode.step != step.name() || list_of(mode.governs) != list || !is_told(mode)) continue;
@@ -122,10 +123,21 @@ void join(const Table& other, Table& table) {
   }
 }
 
-/// Sections first: where they lie comes before what follows from it.
-void join_sections(Table sections, Table& table) {
-  join(table, sections);
-  table = std::move(sections);
+constexpr double line = 126.0;  // letters
+
+double width_of_row(const Table& table) {
+  double sum = -between_columns;
+  for (std::size_t i = 0; i < table.head.size(); ++i) sum += between_columns + column_of(table, i, i > 0).letters;
+  return sum;
+}
+
+/// One table of two with the same rows, if its columns fit into a line.
+bool join_in_line(Table& first, const Table& second) {
+  Table joined = first;
+  join(second, joined);
+  if (width_of_row(joined) > line) return false;
+  first = std::move(joined);
+  return true;
 }
 
 /// Rows that are only numbered, where others have names: the ends of a shaft.
@@ -138,9 +150,11 @@ void drop_unnamed(Table& table) {
   std::erase_if(table.rows, is_numbered);
 }
 
+const std::set<std::string> of_sections{"x", "d", "M", "T", "V", "N"};
+
 /// The fields that govern, and where sections lie and what they carry.
 std::set<std::string> indispensable_fields(const Step& step, const account::Modes& modes) {
-  std::set<std::string> fields{"x", "d", "M", "T", "N"};
+  std::set<std::string> fields = of_sections;
   for (const Mode& mode : modes) {
     if (mode.step == step.name() && is_told(mode)) fields.insert(mode.governs.substr(mode.governs.rfind('.') + 1));
   }
@@ -149,13 +163,7 @@ std::set<std::string> indispensable_fields(const Step& step, const account::Mode
 
 /// Leaves out the last of the other columns until the rows fit into a line: the rest would be a table of its own.
 void fit_into_line(Table& table, const std::set<std::string>& kept) {
-  constexpr double line = 126.0;  // letters
-  const auto letters = [&] {
-    double sum = -between_columns;
-    for (std::size_t i = 0; i < table.head.size(); ++i) sum += between_columns + column_of(table, i, i > 0).letters;
-    return sum;
-  };
-  for (std::size_t i = table.head.size(); i-- > 1 && letters() > line;) {
+  for (std::size_t i = table.head.size(); i-- > 1 && width_of_row(table) > line;) {
     if (kept.contains(table.head[i].text())) continue;
     const auto at = static_cast<std::ptrdiff_t>(i);
     table.head.erase(table.head.begin() + at);
@@ -163,8 +171,20 @@ void fit_into_line(Table& table, const std::set<std::string>& kept) {
   }
 }
 
+/// Tables of the same rows are one table, or follow each other. Sections come first: where they lie comes before what
+/// follows from it.
+void add_to(std::vector<Table>& all, Table part, SameElements joining) {
+  auto same = std::ranges::find_if(all, [&](const Table& t) { return row_names(t) == row_names(part); });
+  if (same == all.end()) return all.push_back(std::move(part));
+  if (part.caption.text() == "sections") std::swap(*same, part);
+  if (joining == SameElements::in_a_line)
+    join(part, *same);
+  else if (!join_in_line(*same, part))
+    all.insert(same + 1, std::move(part));
+}
+
 /// The tables of the lists that govern, by falling utilisation; lists of the same elements are one table.
-std::vector<Table> joined_lists(const Step& step, const account::Modes& modes) {
+std::vector<Table> joined_lists(const Step& step, const account::Modes& modes, SameElements same) {
   constexpr std::size_t least_columns = 5;
   std::vector<Table> tables = list_tables(pointers_to(step.account().results));
   for (Table& table : tables) drop_rounding(table);
@@ -173,16 +193,10 @@ std::vector<Table> joined_lists(const Step& step, const account::Modes& modes) {
     const auto table = std::ranges::find_if(tables, [&](const Table& t) { return t.caption.text() == list; });
     if (table == tables.end()) continue;
     std::set<std::string> fields = deciding_fields(step, modes, list);
-    if (list == "sections") fields.insert({"x", "d", "M", "T", "N"});
+    if (list == "sections") fields.insert(of_sections.begin(), of_sections.end());
     Table part = with_columns(*table, fields);
     drop_unnamed(part);
-    const auto same = std::ranges::find_if(all, [&](const Table& t) { return row_names(t) == row_names(part); });
-    if (same != all.end() && list == "sections")
-      join_sections(std::move(part), *same);
-    else if (same != all.end())
-      join(part, *same);
-    else
-      all.push_back(std::move(part));
+    add_to(all, std::move(part), same);
   }
   std::erase_if(all, [](const Table& table) { return table.head.size() < least_columns; });
   return all;
@@ -249,6 +263,12 @@ std::string step_names(const std::vector<const Step*>& steps) {
   return capitalised(all);
 }
 
+/// "fatigue safety factors of the same sections".
+std::string doc_of(const Step& step, const Table& list) {
+  const FieldInfo* const field = find_field(step.input().calculator->result->fields, list.caption.text());
+  return field == nullptr ? spoken(list.caption.text()) : field->doc;
+}
+
 bool is_utilisation(const Message& head) { return is_symbol(head) && head.args[0].text().starts_with("u_"); }
 
 /// Utilisations with four decimals: "4.6e-05" of an unloaded end says no more than 0.
@@ -264,10 +284,12 @@ void round_utilisations(Table& table) {
 
 }  // namespace
 
-std::vector<Panel> list_panels(const project::Step& step, const account::Modes& modes) {
+std::vector<Panel> list_panels(const project::Step& step, const account::Modes& modes, SameElements same) {
   std::vector<Panel> panels;
-  for (Table& table : joined_lists(step, modes)) {
-    Message title = say("{1}", capitalised(spoken(table.caption.text())));
+  std::vector<std::string> rows;
+  for (Table& table : joined_lists(step, modes, same)) {
+    const bool is_further = std::exchange(rows, row_names(table)) == row_names(table);
+    Message title = say("{1}", capitalised(is_further ? doc_of(step, table) : spoken(table.caption.text())));
     table.caption = {};
     table.head.front() = say("Name");
     for (auto& row : table.rows) row.front() = spoken(std::get<std::string>(row.front()));

@@ -109,7 +109,7 @@ struct Section {
   Name name;
   Length x = unset<Length>, d = unset<Length>, d_bore = unset<Length>;
   Moment M_x = unset<Moment>, M_y = unset<Moment>, M = unset<Moment>, T = unset<Moment>;
-  Force N = unset<Force>;
+  Force V = unset<Force>, N = unset<Force>;
   Stress sigma_b = unset<Stress>, sigma_n = unset<Stress>, tau = unset<Stress>, sigma_v = unset<Stress>;
   double psi = unset<double>;
   double u_v = unset<double>, u_h = unset<double>;
@@ -123,6 +123,7 @@ struct Section {
       Field{&Section::M_y, "M_y", N_m, "bending moment in the plane of Y"}.holding("K_A"),
       Field{&Section::M, "M", N_m, "resultant bending moment"}.holding("K_A"),
       Field{&Section::T, "T", N_m, "torque, signed"}.holding("K_A"),
+      Field{&Section::V, "V", loadpath::N, "transverse force, both planes together"}.holding("K_A"),
       Field{&Section::N, "N", loadpath::N, "axial force, tension positive"}.holding("K_A"),
       Field{&Section::sigma_b, "sigma_b", MPa, "bending stress"},
       Field{&Section::sigma_n, "sigma_n", MPa, "axial stress, signed"},

@@ -185,6 +185,7 @@ std::vector<figure::Figure> Design::figures(const Input& in, const Result& r) {
     shaft.diagrams.push_back(diagram({"N", "axial force", "N"}, {along(loaded, "N", &thrust)}));
   shaft.diagrams.push_back(
       diagram({"V", "transverse force", "N"}, {along(loaded, "V_X", &force_x), along(loaded, "V_Y", &force_y)}));
+  mark_peaks(shaft.diagrams.back());
   shaft.diagrams.push_back(
       diagram({"M", "bending moment", "N*m"}, {along(loaded, "M_X", &moment_x), along(loaded, "M_Y", &moment_y)}));
   mark_peaks(shaft.diagrams.back());

@@ -31,8 +31,11 @@ class PlotPicture {
   void draw_marks();
   void label_bound(const figure::Bound& bound);
   void label_mark(const figure::Mark& mark);
+  [[nodiscard]] std::string style_of(const figure::Mark& mark) const;
+  void keep_near(Point dot, std::vector<Candidate>& places) const;
   void add_far_places(Point dot, double wide, std::vector<Candidate>& places) const;
-  void label_level(const Level& level);
+  void label_level(const Level& level, std::size_t of_curve);
+  [[nodiscard]] bool is_marked(const Level& level, const std::string& label) const;
   void label_curves();
   [[nodiscard]] std::vector<Candidate> places_along_curve(const DrawnCurve& drawn, double width) const;
   void draw_legend();
@@ -108,7 +111,27 @@ void PlotPicture::label_mark(const figure::Mark& mark) {
   const double wide = width(text, text_size);
   std::vector<Candidate> places = around(*dot, 7.0, wide);
   if (is_strip_) add_far_places(*dot, wide, places);
-  canvas_.centred_text("halo", labels_.place(places), text);
+  keep_near(*dot, places);
+  canvas_.centred_text("halo" + style_of(mark), labels_.place(places), text);
+}
+
+/// Of several curves the value of one is in its colour.
+std::string PlotPicture::style_of(const figure::Mark& mark) const {
+  const auto of = std::ranges::find(plot_.curves, mark.label, &figure::Curve::label);
+  if (plot_.curves.size() < 2 || of == plot_.curves.end()) return "";
+  return " " + fill_style(static_cast<std::size_t>(of - plot_.curves.begin()));
+}
+
+/// A label next to the dot of another one would be read as its value.
+void PlotPicture::keep_near(Point dot, std::vector<Candidate>& places) const {
+  constexpr double misread = 12.0;
+  for (Candidate& place : places) {
+    const Point middle{0.5 * (place.box.left + place.box.right), 0.5 * (place.box.top + place.box.bottom)};
+    for (const figure::Mark& other : plot_.marks) {
+      const auto at = frame_.place(other.x, other.y);
+      if (at && length(*at - middle) < length(dot - middle)) place.cost += misread;
+    }
+  }
 }
 
 /// In a low strip a peak may have no room next to it: then any free place does, for the label has its symbol.
@@ -122,11 +145,20 @@ void PlotPicture::add_far_places(Point dot, double wide, std::vector<Candidate>&
   }
 }
 
+bool PlotPicture::is_marked(const Level& level, const std::string& label) const {
+  return std::ranges::any_of(plot_.marks,
+                             [&](const figure::Mark& mark) { return mark.label == label && mark.y == level.si; });
+}
+
 /// The value in the middle of its stretch: in the area, or beyond it where the area is too low. A zero says nothing.
-void PlotPicture::label_level(const Level& level) {
+/// Where there are several curves, with the symbol of its own, if there is room for it; their peaks are marked.
+void PlotPicture::label_level(const Level& level, std::size_t of_curve) {
   constexpr double least = 2.0, beyond = 11.0;
-  if (level.si == 0.0 || level.to.x - level.from.x < least) return;
-  const Text text = typeset(with_minus(frame_.y().number(level.si)));
+  const std::string& label = plot_.curves[of_curve].label;
+  if (level.si == 0.0 || level.to.x - level.from.x < least || is_marked(level, label)) return;
+  const bool is_named = curves_.size() > 1 && !label.empty();
+  const std::string name = is_named ? symbol(label) + " " : "";
+  const Text text = typeset(name + with_minus(frame_.y().number(level.si)));
   const double wide = width(text, text_size), zero = frame_.zero_line();
   const Box& area = frame_.area();  // the numbers of the axis are beyond it
   const double low = area.left + 0.5 * wide + 2.0, high = std::max(low, area.right - 0.5 * wide);
@@ -136,7 +168,8 @@ void PlotPicture::label_level(const Level& level) {
   for (const double y : {0.5 * (zero + level.from.y), level.from.y + outward * beyond, zero - outward * beyond}) {
     places.push_back({Box::around({middle, y}, wide, line_height), static_cast<double>(places.size())});
   }
-  canvas_.centred_text("halo", labels_.place(places), text);
+  if (!is_named) return canvas_.centred_text("halo", labels_.place(places), text);
+  if (const auto free = labels_.place_free(places)) canvas_.centred_text("halo " + fill_style(of_curve), *free, text);
 }
 
 /// Places on both sides all along the curve; level stretches on the right first.
@@ -222,9 +255,9 @@ Picture PlotPicture::drawn() {
   draw_marks();
   for (const figure::Mark& mark : plot_.marks) label_mark(mark);
   for (const figure::Bound& bound : plot_.bounds) label_bound(bound);
-  for (const DrawnCurve& curve : curves_) {
-    if (curve.levels.size() > most_levels) continue;  // a histogram
-    for (const Level& level : curve.levels) label_level(level);
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    if (curves_[i].levels.size() > most_levels) continue;  // a histogram
+    for (const Level& level : curves_[i].levels) label_level(level, i);
   }
   label_curves();
   if (frame_.empty()) canvas_.centred_text("quiet", frame_.area(), typeset(say("not available").text()));

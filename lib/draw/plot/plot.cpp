@@ -110,8 +110,10 @@ void PlotPicture::label_mark(const figure::Mark& mark) {
                                       : say("{1} at {2}", value, with_minus(frame_.x_quantity(mark.x))).text());
   const double wide = width(text, text_size);
   std::vector<Candidate> places = around(*dot, 7.0, wide);
-  if (is_strip_) add_far_places(*dot, wide, places);
-  keep_near(*dot, places);
+  if (is_strip_) {
+    add_far_places(*dot, wide, places);
+    keep_near(*dot, places);
+  }
   canvas_.centred_text("halo" + style_of(mark), labels_.place(places), text);
 }
 
@@ -122,7 +124,7 @@ std::string PlotPicture::style_of(const figure::Mark& mark) const {
   return " " + fill_style(static_cast<std::size_t>(of - plot_.curves.begin()));
 }
 
-/// A label next to the dot of another one would be read as its value.
+/// In a low strip: a label next to the dot of another one would be read as its value.
 void PlotPicture::keep_near(Point dot, std::vector<Candidate>& places) const {
   constexpr double misread = 12.0;
   for (Candidate& place : places) {

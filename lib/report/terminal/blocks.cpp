@@ -134,7 +134,20 @@ Lines gap_lines(const Summary& summary, const Limits& limits, const Look& look) 
   return lines;
 }
 
-Lines open_lines(const Summary& summary, const Limits& limits, const Look& look) {
+namespace {
+
+/// "hub tilting and axial shift (key)", of the modes that the user accepted with a reason.
+std::string accepted_modes(const Summary& summary, std::size_t most) {
+  std::string text;
+  std::size_t all = 0;
+  for (const account::Mode& mode : summary.modes) {
+    if (mode.state != account::State::accepted || ++all > most) continue;
+    text += (text.empty() ? "" : ", ") + mode.title.text() + " (" + report::spoken(mode.step) + ")";
+  }
+  return all > most ? text + "; " + std::to_string(all - most) + " more" : text;
+}
+
+Lines not_considered(const Summary& summary, const Limits& limits, const Look& look) {
   const report::NotConsidered& open = summary.open;
   if (open.names.empty() && open.others == 0) return {};
   const std::size_t shown = std::min(limits.of(Limits::names), open.names.size());
@@ -153,6 +166,17 @@ Lines open_lines(const Summary& summary, const Limits& limits, const Look& look)
     hints += (hints.empty() ? "  " : "; ") + hint.typed;
   if (!hints.empty()) add(lines, hints, look, 0);
   dim(lines);
+  return lines;
+}
+
+}  // namespace
+
+Lines open_lines(const Summary& summary, const Limits& limits, const Look& look) {
+  Lines lines;
+  const std::string accepted = accepted_modes(summary, limits.of(Limits::scope));
+  if (!accepted.empty()) add(lines, "Accepted by user: " + accepted, look, 2);
+  const Lines open = not_considered(summary, limits, look);
+  lines.insert(lines.end(), open.begin(), open.end());
   return lines;
 }
 

@@ -42,6 +42,7 @@ Lines failure_lines(const report::Summary& summary, const Limits& limits, const 
 Lines next_lines(const report::Summary& summary, const Limits& limits, const Look& look);
 /// Not assessed, and outside the scope.
 Lines gap_lines(const report::Summary& summary, const Limits& limits, const Look& look);
+/// Accepted by the user, for reasons that the report has, and not considered.
 Lines open_lines(const report::Summary& summary, const Limits& limits, const Look& look);
 Lines more_line(const std::string& command, const Look& look);
 

@@ -211,6 +211,13 @@ void set_more(double height, std::vector<Derivable>& modes) {
 
 }  // namespace
 
+bool keeps_lines(const project::Project& project, const std::vector<Governing>& rows, double height, double used) {
+  std::vector<Derivable> alone = derivable(project, rows), below = alone;
+  shorten(height, alone);
+  shorten(height - used, below);
+  return std::ranges::equal(alone, below, {}, &Derivable::left_out, &Derivable::left_out);
+}
+
 Derivations governing_derivations(const project::Project& project, const std::vector<Governing>& rows, double height) {
   Derivations all;
   std::vector<Derivable> modes = derivable(project, rows);
@@ -219,7 +226,6 @@ Derivations governing_derivations(const project::Project& project, const std::ve
   all.height = height_of_all(modes);
   for (const Derivable& mode : modes) {
     all.sources.merge(mode.sources());
-    all.left_out += mode.left_out();
     all.panels.push_back(mode.panel());
   }
   return all;

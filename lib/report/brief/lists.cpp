@@ -49,28 +49,20 @@ std::vector<Panel> with_loads(const std::vector<Panel>& lists, const std::vector
   return all;
 }
 
-/// Whether page 3 has room for the lists above its derivations.
-bool has_room(const project::Project& project, const std::vector<Governing>& rows, const std::vector<Panel>& lists) {
-  constexpr double page = page_height - of_sources;
-  const Derivations alone = governing_derivations(project, rows, page);
-  const Derivations below = governing_derivations(project, rows, page - height_of_tables(lists));
-  return below.panels.size() == alone.panels.size() && below.left_out == alone.left_out;
-}
-
 }  // namespace
 
 Lists lists_of(const project::Project& project, const project::Step& step, const Summary& summary,
                const std::vector<Governing>& rows, double room) {
   constexpr std::size_t most_rows = 6;
-  const std::vector<Panel> apart = list_panels(step, summary.modes, SameElements::apart);
-  const std::vector<Panel> joined = list_panels(step, summary.modes, SameElements::in_a_line);
+  const auto [apart, joined] = list_panels(step, summary.modes);
   const std::vector<Panel> loads = load_panels(step);
   if (apart.empty()) return {in_height(loads, room, every_row), {}};
   std::vector<Panel> page = with_loads(apart, loads, room);
   const bool has_all = page.size() == apart.size() + loads.size();
   if (apart.size() == joined.size() || has_all) return {std::move(page), {}};
   const std::vector<Panel> further = in_height({apart.begin() + 1, apart.end()}, page_height, most_rows);
-  if (has_room(project, rows, further)) return {with_loads({apart.front()}, loads, room), further};
+  const bool has_room = keeps_lines(project, rows, page_height - of_sources, height_of_tables(further));
+  if (has_room) return {with_loads({apart.front()}, loads, room), further};
   return {with_loads(joined, loads, room), {}};
 }
 

@@ -171,6 +171,9 @@ void fit_into_line(Table& table, const std::set<std::string>& kept) {
   }
 }
 
+/// What becomes of lists of the same elements that do not fit into a line together.
+enum class SameElements { apart, in_a_line };
+
 /// Tables of the same rows are one table, or follow each other. Sections come first: where they lie comes before what
 /// follows from it.
 void add_to(std::vector<Table>& all, Table part, SameElements joining) {
@@ -183,9 +186,8 @@ void add_to(std::vector<Table>& all, Table part, SameElements joining) {
     all.insert(same + 1, std::move(part));
 }
 
-/// The tables of the lists that govern, by falling utilisation; lists of the same elements are one table.
-std::vector<Table> joined_lists(const Step& step, const account::Modes& modes, SameElements same) {
-  constexpr std::size_t least_columns = 5;
+/// The tables of the lists that govern, by falling utilisation.
+std::vector<Table> governing_tables(const Step& step, const account::Modes& modes) {
   std::vector<Table> tables = list_tables(pointers_to(step.account().results));
   for (Table& table : tables) drop_rounding(table);
   std::vector<Table> all;
@@ -196,8 +198,15 @@ std::vector<Table> joined_lists(const Step& step, const account::Modes& modes, S
     if (list == "sections") fields.insert(of_sections.begin(), of_sections.end());
     Table part = with_columns(*table, fields);
     drop_unnamed(part);
-    add_to(all, std::move(part), same);
+    all.push_back(std::move(part));
   }
+  return all;
+}
+
+std::vector<Table> joined(const std::vector<Table>& lists, SameElements same) {
+  constexpr std::size_t least_columns = 5;
+  std::vector<Table> all;
+  for (const Table& list : lists) add_to(all, list, same);
   std::erase_if(all, [](const Table& table) { return table.head.size() < least_columns; });
   return all;
 }
@@ -284,20 +293,31 @@ void round_utilisations(Table& table) {
 
 }  // namespace
 
-std::vector<Panel> list_panels(const project::Step& step, const account::Modes& modes, SameElements same) {
+namespace {
+
+std::vector<Panel> panels_of(const Step& step, const account::Modes& modes, std::vector<Table> lists) {
   std::vector<Panel> panels;
   std::vector<std::string> rows;
-  for (Table& table : joined_lists(step, modes, same)) {
+  const std::set<std::string> kept = indispensable_fields(step, modes);
+  for (Table& table : lists) {
     const bool is_further = std::exchange(rows, row_names(table)) == row_names(table);
     Message title = say("{1}", capitalised(is_further ? doc_of(step, table) : spoken(table.caption.text())));
     table.caption = {};
     table.head.front() = say("Name");
     for (auto& row : table.rows) row.front() = spoken(std::get<std::string>(row.front()));
-    fit_into_line(table, indispensable_fields(step, modes));
+    fit_into_line(table, kept);
     round_utilisations(table);
     panels.push_back({std::move(title), say("{1}", component_name(step)), {std::move(table)}});
   }
   return panels;
+}
+
+}  // namespace
+
+ListPanels list_panels(const project::Step& step, const account::Modes& modes) {
+  const std::vector<Table> lists = governing_tables(step, modes);
+  return {panels_of(step, modes, joined(lists, SameElements::apart)),
+          panels_of(step, modes, joined(lists, SameElements::in_a_line))};
 }
 
 Table most_utilised_rows(const Table& table, std::size_t most) {

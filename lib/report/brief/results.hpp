@@ -10,8 +10,10 @@ namespace loadpath::report {
 
 /// The lists of a step in which its modes govern, with the columns from which the checks follow. Lists of the same
 /// elements are one table if it fits into a line; else they follow each other, or are one table without some columns.
-enum class SameElements { apart, in_a_line };
-std::vector<Panel> list_panels(const project::Step& step, const account::Modes& modes, SameElements same);
+struct ListPanels {
+  std::vector<Panel> apart, in_a_line;
+};
+ListPanels list_panels(const project::Step& step, const account::Modes& modes);
 
 /// The rows of a table that have the highest utilisations, in their order, and how many others the appendix has.
 Table most_utilised_rows(const Table& table, std::size_t most);
